@@ -6,7 +6,7 @@ from .device.ready_devices import load_device
 from .gap.closing.prediction import predict
 from .gap.diagnose import CampaignDiagnosis, diagnose
 from .gap.findings.diagnosis_reader import read_diagnosis
-from .gap.static_record import diagnose_record
+from .gap.static_record import compute_allan, diagnose_record
 from .noise.allan import allan_deviation
 from .playback import simulate
 from .records.campaign import Campaign, read_campaign, write_campaign
@@ -21,6 +21,7 @@ __all__ = [
     "ImportedCampaign",
     "Log",
     "allan_deviation",
+    "compute_allan",
     "diagnose",
     "diagnose_record",
     "import_campaign",

@@ -20,7 +20,9 @@ FAST = {"samplePeriod": 1.0}
 def against(outcome: Outcome, truths: Mapping[str, float]) -> Intervals:
     """(truth, low, high) by finding."""
     found = {name: outcome.finding(name) for name in truths}
-    return {name: (truth, found[name].low, found[name].high) for name, truth in truths.items()}
+    return {
+        name: (truth, found[name].si_low, found[name].si_high) for name, truth in truths.items()
+    }
 
 
 def quiet(device: Device) -> Device:

@@ -67,4 +67,6 @@ def bias_terms(device: Device) -> dict[str, float]:
 def intervals(outcome: Outcome, truths: Mapping[str, float]) -> Intervals:
     """Of the findings whose truth is known."""
     found = {finding.name: finding for finding in outcome.findings}
-    return {name: (truth, found[name].low, found[name].high) for name, truth in truths.items()}
+    return {
+        name: (truth, found[name].si_low, found[name].si_high) for name, truth in truths.items()
+    }

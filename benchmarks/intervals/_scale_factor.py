@@ -89,7 +89,7 @@ def _parts(kind: str, harmonics: dict[int, complex]) -> dict[str, float]:
 def compared(outcome: Outcome, device: Device, rate: float) -> Intervals:
     """Truth and interval of each finding that has both."""
     return {
-        name: (truth, outcome.finding(name).low, outcome.finding(name).high)
+        name: (truth, outcome.finding(name).si_low, outcome.finding(name).si_high)
         for name, truth in truths(device, rate).items()
     }
 

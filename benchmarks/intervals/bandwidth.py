@@ -16,7 +16,7 @@ def repeat(fmu: GyroFmu, seed: int) -> dict[str, tuple[float, float, float]]:
     _, delay, low, high = outcome.findings
     gain = 1 + theory.hold_scale_factor_error(bandwidth.INTERVAL, 0.0, TYPICAL.decay_time)
     return {
-        "delay": (0.0, delay.low, delay.high),
-        low.name: (gain, low.low, low.high),
-        high.name: (gain, high.low, high.high),
+        "delay": (0.0, delay.si_low, delay.si_high),
+        low.name: (gain, low.si_low, low.si_high),
+        high.name: (gain, high.si_low, high.si_high),
     }

@@ -67,4 +67,4 @@ def repeat(fmu: GyroFmu, seed: int) -> dict[str, tuple[float, float, float]]:
     found = fit_maps(bench.campaign(tests))
     findings = [*found.bias_map.values(), *found.scale_factor_map.values()]
     expected = truth(device)
-    return {f.name: (expected[f.name], f.low, f.high) for f in findings}
+    return {f.name: (expected[f.name], f.si_low, f.si_high) for f in findings}

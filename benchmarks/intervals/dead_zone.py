@@ -25,6 +25,6 @@ def repeat(fmu: GyroFmu, seed: int) -> dict[str, tuple[float, float, float]]:
         logs = [test.log for test in bench.run(dead_zone.plan_map_runs(bench, RATE))]
         fitted, _ = fit_turning(logs, bench.device.site)
         lock = estimate_amplitude("lock rate", fitted, FOURTH, "deg/h")
-        result[f"lock rate{name}"] = (theory.lock_rate(gyro), lock.low, lock.high)
+        result[f"lock rate{name}"] = (theory.lock_rate(gyro), lock.si_low, lock.si_high)
         result[f"mean bias{name}"] = (theory.mean_bias(gyro), *fitted.interval(MEAN))
     return result

@@ -75,7 +75,7 @@ def deviations(device: Device, runs: Sequence[Points]) -> dict[str, float]:
     of_mean = rate_noise(device, SEGMENTS * SEGMENT) / math.sqrt(PLAN.positions)
     stability = [mean_deviation(noise, np.std(r.rate, ddof=1), len(r) - 1) for r in runs]
     means = [np.mean(run.rate) for run in runs]
-    within = estimate_within("", runs).value
+    within = estimate_within("", runs).si_value
     between = [np.var([np.mean(group) for group in group_by_position(run)], ddof=1) for run in runs]
     return {
         "bias": float(np.mean(means)),

@@ -36,12 +36,12 @@ def repeat(fmu: GyroFmu, seed: int) -> Intervals:
     campaign = quiet.campaign(linearity.record(quiet, 1, RATES))
     truth = linearity.evaluate(campaign)
     names = [f.name for f in truth.findings]
-    values = {name: truth.finding(name).value for name in names}
+    values = {name: truth.finding(name).si_value for name in names}
     values["scale factor repeatability"] = slope_deviation(
         linearity.read_lines(campaign)[0], device
     )
     return {
-        name: (values[name], outcome.finding(name).low, outcome.finding(name).high)
+        name: (values[name], outcome.finding(name).si_low, outcome.finding(name).si_high)
         for name in names
     }
 

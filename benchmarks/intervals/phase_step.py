@@ -11,7 +11,7 @@ def repeat(fmu: GyroFmu, seed: int) -> Intervals:
     """One gyro, two angles."""
     on = bench(fmu, seed)
     outcome = phase_step.evaluate(on.campaign(phase_step.record(on)))
-    seen = outcome.finding("frequency split in the quadrature force, times sin 4th").value
+    seen = outcome.finding("frequency split in the quadrature force, times sin 4th").si_value
     return intervals(
         outcome,
         {

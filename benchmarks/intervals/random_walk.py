@@ -23,7 +23,7 @@ def repeat(fmu: GyroFmu, seed: int) -> dict[str, tuple[float, float, float]]:
     power_ons = random_walk.plan_power_ons(bench, DURATION)
     outcome = random_walk.evaluate(bench.campaign(bench.run(power_ons)))
     return {
-        name: (truth, outcome.finding(name).low, outcome.finding(name).high)
+        name: (truth, outcome.finding(name).si_low, outcome.finding(name).si_high)
         for name, truth in truths(device).items()
     }
 

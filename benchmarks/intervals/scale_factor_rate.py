@@ -22,7 +22,7 @@ def repeat(fmu: GyroFmu, seed: int) -> Intervals:
     bench = Bench(fmu, device, seed, step=0.1)
     outcome = scale_factor_rate.evaluate(bench.campaign(scale_factor_rate.record(bench, runs=1)))
     found = outcome.finding("scale factor stability in run")
-    stability = (period_deviation(device), found.low, found.high)
+    stability = (period_deviation(device), found.si_low, found.si_high)
     return {**compared(outcome, device, RATE), found.name: stability}
 
 

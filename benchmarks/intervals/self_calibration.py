@@ -53,4 +53,4 @@ def repeat(fmu: GyroFmu, seed: int) -> dict[str, tuple[float, float, float]]:
     bench = Bench(fmu, device, seed, step=0.1)
     outcome = evaluate(bench.campaign(record(bench, RUNS, CYCLES)))
     found = {name: outcome.finding(name) for name in truth(device)}
-    return {name: (truth(device)[name], f.low, f.high) for name, f in found.items()}
+    return {name: (truth(device)[name], f.si_low, f.si_high) for name, f in found.items()}

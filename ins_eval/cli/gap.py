@@ -63,6 +63,7 @@ def _diagnose(options: argparse.Namespace) -> None:
         record, belief = options.source, options.belief
         found = pyhrg.diagnose_record(record, belief, trusted=options.trusted, out=options.out)
         print(found.summary)
+        _print_place(options.out)
         return
     if options.belief is not None or options.trusted:
         given = "--trusted" if options.belief is None else "--belief"
@@ -82,6 +83,11 @@ def _diagnose_campaign(options: argparse.Namespace) -> None:
     position = make_section("position", partial(make_position_section, result))
     write_report(result, options.out, [position])
     print(summarize_diagnosis(result))
+    _print_place(options.out)
+
+
+def _print_place(out: Path) -> None:
+    print(f"\nwritten to {out}; to read, open {out / 'report.html'} in a browser")
 
 
 def make_position_section(diagnosis: "CampaignDiagnosis") -> "Section":

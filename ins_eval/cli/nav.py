@@ -13,7 +13,7 @@ from pyhrg.common.files import check_output_folder
 HELP = "fly an IMU along a trajectory, and say how far it goes astray"
 OF_SIMULATIONS = ("rate_hz", "seed", "runs")
 OF_LOGS = ("errors_of", *PLACE)
-OF_BOTH = ("hours", "samples", "height", "align_s")
+OF_BOTH = ("hours", "samples", "height", "align_s", "out", "force")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -40,6 +40,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     start.add_argument("--start-from-truth", action="store_true", help="no alignment")
     add("--seed", type=int, metavar="N", help="of everything random (default 1)")
     add("--runs", type=int, metavar="N", help="flights, each with an IMU of its own (default 1)")
+    add("--force", action="store_true", help="replace another flight in the output folder")
     add_place_options(parser)
 
 
@@ -47,7 +48,6 @@ def run(options: argparse.Namespace) -> None:
     check_output_folder(options.out)
     is_log = Path(options.imu).suffix not in ("", ".toml")
     flight = _fly_log(options) if is_log else _fly(options)
-    flight.write(options.out)
     print(flight.summary)
     print(f"\nwritten to {options.out}: {', '.join(flight.files)}")
 

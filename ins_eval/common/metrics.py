@@ -6,6 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.stats import binom, ttest_1samp
 
+from pyhrg.common.pages.svg import format_interval
+
 MIN_SAMPLE_FOR_MEDIAN = 6
 """Smallest sample whose range contains the median with 95 % confidence: 1 - 2 / 2^6 = 96.9 %."""
 
@@ -33,7 +35,7 @@ class PairedRatio:
     high: float
 
     def __str__(self) -> str:
-        return f"{self.value:.3g} (95 %: {self.low:.3g} to {self.high:.3g})"
+        return f"{format_interval(self.value, self.low, self.high)}, 95 %"
 
 
 def compute_paired_ratio(sample: ArrayLike, reference: ArrayLike) -> PairedRatio:

@@ -13,10 +13,11 @@ from ins_eval.alignment.measured_noise import MeasuredNoise
 from ins_eval.alignment.result import Alignment
 from ins_eval.common.rotation import euler_from_mat
 from ins_eval.common.sensor_errors import SensorErrors
-from ins_eval.flights.report import describe_alignment, list_versions
+from ins_eval.flights.report import describe_alignment
 from ins_eval.results.png import save_png
 from pyhrg.common.arrays import Array
 from pyhrg.common.files import stage_files
+from pyhrg.common.made_by import list_versions
 from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
 from pyhrg.records.imu.increments import Increments
 

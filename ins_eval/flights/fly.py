@@ -1,16 +1,18 @@
 """The front door of flights: an IMU along a trajectory, or a recorded log."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import xarray as xr
 
 from ins_eval.flights.assumed_errors import assume_errors
 from ins_eval.flights.flight import fly_runs
 from ins_eval.flights.linear import compute_error_budget, propagate_flight_covariance
-from ins_eval.flights.log_flight import navigate_log
+from ins_eval.flights.log_flight import LOG_TRAJECTORY, navigate_log
 from ins_eval.flights.plan import HeightMode, Plan, plan_log, plan_simulation
-from ins_eval.flights.report import Flight
+from ins_eval.flights.report import DOCUMENT, Flight, describe_flight
 from ins_eval.flights.sources import (
     NO_TRUTH,
     find_reference,
@@ -24,6 +26,9 @@ from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.errors import MovingStartError
 from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.errors import HrgError
+from pyhrg.common.files import check_output_folder
+from pyhrg.common.made_by import check_identity, digest_value
+from pyhrg.common.reading.files import read_unpacked
 
 
 def fly(
@@ -38,6 +43,8 @@ def fly(
     seed: int = 1,
     runs: int = 1,
     progress: Callable[[int, int], None] | None = None,
+    out: Path | str | None = None,
+    force: bool = False,
 ) -> Flight:
     """Flights of a simulated IMU, with errors, the linear model's one-sigma and an error budget.
 
@@ -52,9 +59,13 @@ def fly(
         seed: of everything random.
         runs: number of flights, each with an IMU of its own.
         progress: is called with the number of flights done and the number of all.
+        out: folder that the flight is written to, see `Flight.write`; None writes nothing.
+        force: whether another flight in `out` may be replaced.
 
     Raises:
-        HrgError: an argument out of range, a file that can't be used, or a failed alignment.
+        HrgError: an argument out of range, a file that can't be used, another flight in `out`, or a
+            failed alignment.
+        OSError: `out` can't be written.
     """
     loaded = load_imu_at_rate(imu, rate_hz)
     plan = plan_simulation(
@@ -71,7 +82,9 @@ def fly(
         path = catalogue.load_trajectory(trajectory, plan.duration, zero * plan.interval)
     except MovingStartError as error:
         raise HrgError(f"{error}; or start from the truth") from error
-    return fly_plan(plan, path, loaded, progress)
+    asked = describe_flight(plan, path.name, _name_imu(loaded), digest_value(loaded))
+    _check_folder(out, force, asked)
+    return _write(fly_plan(plan, path, loaded, progress), out)
 
 
 def fly_plan(
@@ -95,8 +108,10 @@ def fly_plan(
         ]
     )
     budget = compute_error_budget(plan, truth, imu, flown.first)
-    name = f"{imu.name} IMU"
-    return Flight(plan, trajectory.name, name, truth.position, flown.alignments, dataset, budget)
+    return Flight(
+        *(plan, trajectory.name, _name_imu(imu), truth.position, flown.alignments, dataset, budget),
+        imu_digest=digest_value(imu),
+    )
 
 
 def fly_log(
@@ -111,6 +126,8 @@ def fly_log(
     latitude_deg: float | None = None,
     longitude_deg: float = 0.0,
     height_m: float = 0.0,
+    out: Path | str | None = None,
+    force: bool = False,
 ) -> Flight:
     """Dead reckoning of a recorded log: align on its beginning, navigate to its end.
 
@@ -122,9 +139,10 @@ def fly_log(
         samples, height: as in `fly`.
         align_s: duration of the alignment.
         latitude_deg, longitude_deg, height_m: place, where the log does not say it.
+        out, force: as in `fly`.
 
     Raises:
-        HrgError: an argument out of range, a file that can't be used, or a failed alignment.
+        HrgError, OSError: as in `fly`.
     """
     path = Path(log)
     record, position = read_placed_record(path, latitude_deg, longitude_deg, height_m)
@@ -133,4 +151,25 @@ def fly_log(
     )
     reference = find_reference(truth, position, -(plan.alignment or 0.0), plan.duration)
     imu = load_imu_at_rate(errors_of, None)
-    return navigate_log(plan, path.name, record.increments, position, imu, reference)
+    digest = digest_value((read_unpacked(path), imu))
+    _check_folder(out, force, describe_flight(plan, LOG_TRAJECTORY, path.name, digest))
+    flight = navigate_log(plan, path.name, record.increments, position, imu, reference)
+    return _write(replace(flight, imu_digest=digest), out)
+
+
+def _name_imu(imu: Imu) -> str:
+    return f"{imu.name} IMU"
+
+
+def _check_folder(out: Path | str | None, force: bool, asked: Mapping[str, Any]) -> None:
+    """Refuse, before the work, a folder that can't be written or has another flight."""
+    if out is not None:
+        check_output_folder(Path(out))
+        if not force:
+            check_identity(Path(out) / DOCUMENT, asked)
+
+
+def _write(flight: Flight, out: Path | str | None) -> Flight:
+    if out is not None:
+        flight.write(out)
+    return flight

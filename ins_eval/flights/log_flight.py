@@ -27,6 +27,9 @@ from pyhrg.records.imu.increments import Increments
 Reference = Callable[[Array], Track]
 """True states at times (m,), s; attitudes that nobody knows are NaN."""
 
+LOG_TRAJECTORY = "dead reckoning"
+"""Name in place of the trajectory of a log."""
+
 
 def stand_still(position: Array) -> Reference:
     """Truth of a vehicle that stood there all the time, whatever way it faced."""
@@ -71,4 +74,4 @@ def navigate_log(
     )
     dataset = xr.merge([dataset, flights.tabulate_sigmas(track.time, sigma)])
     place = np.asarray(position)
-    return Flight(plan, "dead reckoning", name, place, [alignment], dataset, sigma_budget=budget)
+    return Flight(plan, LOG_TRAJECTORY, name, place, [alignment], dataset, sigma_budget=budget)

@@ -2,10 +2,8 @@
 
 import json
 import math
-import platform
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -27,8 +25,10 @@ from ins_eval.results.png import save_png
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import stage_files
+from pyhrg.common.made_by import list_versions
 
 SCHEMA = "hrg-nav/1"
+DOCUMENT = "nav.json"
 COMPONENTS = ("north", "east", "radial")
 LABEL, NUMBER = 42, 12
 """Widths of the printed table's first column and of the others, characters."""
@@ -42,7 +42,7 @@ class Flight:
     none if the runs start from the truth; dataset: navigated states by run and time; where a truth
     is known, true states and errors; the linear model's one-sigma; for simulated IMUs, the
     navigator's own error; sigma_budget: of a log, the final one-sigma by effect and axis
-    (`compute_sigma_budget`).
+    (`compute_sigma_budget`); imu_digest: SHA-256 of the IMU's parameters or of the log.
     """
 
     plan: Plan
@@ -53,6 +53,7 @@ class Flight:
     dataset: xr.Dataset
     budget: Budget | None = None
     sigma_budget: pd.DataFrame | None = None
+    imu_digest: str = ""
 
     @property
     def title(self) -> str:
@@ -114,7 +115,7 @@ class Flight:
         """Functions that write the files, by name."""
         dataset = self.dataset.assign_attrs(title=self.title)
         writers: dict[str, Callable[[Path], Any]] = {
-            "nav.json": lambda path: path.write_text(
+            DOCUMENT: lambda path: path.write_text(
                 json.dumps(_make_document(self), indent=2) + "\n"
             ),
             "flights.csv": lambda path: tables.write_csv(dataset, path),
@@ -135,20 +136,9 @@ class Flight:
 
 def _make_document(flight: Flight) -> dict[str, Any]:
     """Content of nav.json."""
-    plan = flight.plan
+    asked = describe_flight(flight.plan, flight.trajectory, flight.imu, flight.imu_digest)
     result: dict[str, Any] = {
-        "schema": SCHEMA,
-        "versions": list_versions(),
-        "trajectory": flight.trajectory,
-        "imu": flight.imu,
-        "duration_s": plan.duration,
-        "rate_hz": 1 / plan.interval,
-        "samples": plan.samples,
-        "height": plan.height,
-        "alignment_s": plan.alignment,
-        "seed": plan.seed,
-        "runs": plan.runs,
-        "row_spacing_s": plan.row_spacing,
+        **{"schema": SCHEMA, **asked},
         "at_the_end": _end_document(flight),
         "alignments": [describe_alignment(alignment) for alignment in flight.alignments],
     }
@@ -162,10 +152,22 @@ def _make_document(flight: Flight) -> dict[str, Any]:
     return result
 
 
-def list_versions() -> dict[str, str]:
-    """Versions of this package and of the libraries that its numbers rest on."""
-    libraries = {name: version(name) for name in ("hrg", "numpy", "scipy", "numba", "filterpy")}
-    return {"python": platform.python_version(), **libraries}
+def describe_flight(plan: Plan, trajectory: str, imu: str, imu_digest: str) -> dict[str, Any]:
+    """What a flight was asked to be, by keys of nav.json, and the versions of what flew it."""
+    return {
+        "versions": list_versions(),
+        "trajectory": trajectory,
+        "imu": imu,
+        "imu_sha256": imu_digest,
+        "duration_s": plan.duration,
+        "rate_hz": 1 / plan.interval,
+        "samples": plan.samples,
+        "height": plan.height,
+        "alignment_s": plan.alignment,
+        "seed": plan.seed,
+        "runs": plan.runs,
+        "row_spacing_s": plan.row_spacing,
+    }
 
 
 def describe_alignment(alignment: Alignment) -> dict[str, Any]:

@@ -1,6 +1,5 @@
 """The experiment: triads flown with their level gyros' patterns parked, and not."""
 
-import os
 import threading
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -17,6 +16,7 @@ from ins_eval.parking.mission import Mission
 from ins_eval.parking.triad import DRIVES, TriadFlights, fly_triad
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position.positions import Plan
+from pyhrg.common.arguments import count_cores
 from pyhrg.common.arrays import Array
 from pyhrg.device.ready_devices import TYPICAL, Device
 from pyhrg.fmu import GyroFmu
@@ -123,7 +123,7 @@ def map_in_threads(
     calls can end early; `report` is called with the number of results, after each.
     """
     results = []
-    with ThreadPoolExecutor(workers or len(os.sched_getaffinity(0))) as pool:
+    with ThreadPoolExecutor(workers or count_cores()) as pool:
         try:
             for result in pool.map(work, items):
                 results.append(result)

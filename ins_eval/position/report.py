@@ -50,9 +50,9 @@ def _tabulate_distances(gaps: MissionGaps) -> str:
     for m in gaps.missions:
         end, bound = m.at_end, m.residual_bound
         bounds = (number(bound.steady), number(bound.any_course)) if bound else ("–", "–")
-        interval = f"{number(end.low)} to {number(end.high)}"
+        value, *ends = svg.format_estimate(end.value, end.low, end.high)
         after = number(m.time[-1] / HOUR)
-        rows.append((html.escape(m.name), after, number(end.value), interval, *bounds))
+        rows.append((html.escape(m.name), after, value, " to ".join(ends), *bounds))
     head = ("Mission", "after, h", "distance, rms, m", "95 %")
     return _build_table(
         "Distance between the positions of the nominal and the identified device, and bounds for "

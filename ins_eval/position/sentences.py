@@ -26,8 +26,7 @@ def _state_result(gaps: MissionGaps) -> str:
             "mission."
         )
     distances = ", ".join(
-        f"{_metres(m.at_end.value)} in {m.name} "
-        f"({svg.format_number(m.at_end.low)} to {svg.format_number(m.at_end.high)})"
+        f"{svg.format_interval(m.at_end.value, m.at_end.low, m.at_end.high)} m in {m.name}"
         for m in gaps.missions
     )
     return (

@@ -3,6 +3,7 @@
 from typing import Any, Literal
 
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 """Colours that are distinct for colour-blind readers too (Okabe and Ito)."""
@@ -15,3 +16,11 @@ def finish_axes(
     axes.set(xlabel=x, ylabel=y, **limits)
     axes.grid(alpha=0.3, which=grid)
     axes.legend()
+
+
+def move_legends(figure: Figure) -> None:
+    """Put each legend to the right of its axes, where no data are."""
+    for axes in figure.axes:
+        if legend := axes.get_legend():
+            legend.set_loc("upper left")
+            legend.set_bbox_to_anchor((1.0, 1.0))

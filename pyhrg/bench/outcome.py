@@ -45,34 +45,34 @@ class BenchError(HrgError):
 
 @dataclass(frozen=True)
 class Finding:
-    """One figure of a test.
+    """One figure of a test; `value` and `interval` are in its unit.
 
     name: the standard term, in lower case ("bias stability").
-    value: SI; NaN where the records can't give it, and `note` says why.
+    si_value: SI; NaN where the records can't give it, and `note` says why.
     unit: that the figure is printed in, a key of `UNITS`.
-    low, high: bounds of the 95 % interval, SI; NaN where there is none, and `note` says why.
+    si_low, si_high: bounds of the 95 % interval, SI; NaN where there is none, and `note` says why.
     n: size of the sample that the interval is computed from.
     at_least: True where a specification limits the figure from below, as a range or a bandwidth.
     """
 
     name: str
-    value: float
+    si_value: float
     unit: str
-    low: float = np.nan
-    high: float = np.nan
+    si_low: float = np.nan
+    si_high: float = np.nan
     n: int = 0
     note: str = ""
     at_least: bool = False
 
     @property
-    def value_in_unit(self) -> float:
-        """Value in the finding's unit."""
-        return self.value / UNITS[self.unit]
+    def value(self) -> float:
+        """The figure, in the finding's unit."""
+        return self.si_value / UNITS[self.unit]
 
     @property
-    def interval_in_unit(self) -> tuple[float, float]:
+    def interval(self) -> tuple[float, float]:
         """Bounds of the 95 % interval in the finding's unit."""
-        return self.low / UNITS[self.unit], self.high / UNITS[self.unit]
+        return self.si_low / UNITS[self.unit], self.si_high / UNITS[self.unit]
 
     @property
     def key(self) -> str:

@@ -4,6 +4,7 @@ import difflib
 import shutil
 from collections.abc import Mapping, Sequence
 from contextlib import closing
+from dataclasses import replace
 from numbers import Integral, Real
 from pathlib import Path
 
@@ -13,11 +14,20 @@ from pyhrg.bench import catalogue
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.reporting.progress import Progress, Show
-from pyhrg.bench.reporting.result import PAGE, BenchResults, TestFailure, TestResult, check_folder
+from pyhrg.bench.reporting.result import (
+    PAGE,
+    RESULT,
+    BenchResults,
+    TestFailure,
+    TestResult,
+    check_folder,
+    read_result,
+)
 from pyhrg.bench.source import Source, open_records, prepare_simulation
 from pyhrg.bench.store import Store
 from pyhrg.common.arguments import check_seed, choose_workers
 from pyhrg.common.errors import HrgError
+from pyhrg.common.made_by import check_identity
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
 from pyhrg.records import LogError
@@ -46,6 +56,7 @@ def run_test(
     seed: int = 1,
     workers: int | None = None,
     out: str | Path | None = None,
+    force: bool = False,
     progress: Show = None,
     **plan: float | None,
 ) -> TestResult:
@@ -59,8 +70,9 @@ def run_test(
         seed: of everything random in the simulation, 0 to 2^63 - 1; the same seed gives the same
             bytes on any number of workers.
         workers: power-ons that are simulated at the same time; all cores if None.
-        out: output folder; report.html and the test's folder are written there. None writes
-            nothing.
+        out: output folder; the test's folder and report.html, of all tests in the folder, are
+            written there. None writes nothing.
+        force: whether results of another device, seed or version in `out` may be replaced.
         progress: True shows a bar and lines on standard error; a function gets each line.
         plan: changes the plan of the simulated test, see `list_tests`; None leaves the default.
 
@@ -76,6 +88,7 @@ def run_test(
         seed=seed,
         workers=workers,
         out=out,
+        force=force,
         progress=progress,
         **plan,
     )[name]
@@ -89,6 +102,7 @@ def run_tests(
     seed: int = 1,
     workers: int | None = None,
     out: str | Path | None = None,
+    force: bool = False,
     progress: Show = None,
     **plan: float | None,
 ) -> BenchResults:
@@ -96,7 +110,7 @@ def run_tests(
 
     Args:
         names: of the tests; None for all, with a campaign those that it has records for.
-        device, campaign, seed, workers, out, progress: see `run_test`.
+        device, campaign, seed, workers, out, force, progress: see `run_test`.
         plan: see `run_test`; of a single test only.
 
     Raises:
@@ -120,6 +134,8 @@ def run_tests(
         else:
             store = None if folder is None else Store(folder / LOGS_TO_RESUME)
             source = prepare_simulation(procedures, device, seed, workers, store, counter, changes)
+        if folder is not None and not force:
+            _read_kept(folder, source)
         counter.expect(len(source.procedures))
         try:
             with source.store:
@@ -131,8 +147,28 @@ def run_tests(
         reasons = "; ".join(f"{name}: {reason}" for name, reason in results.failures.items())
         raise BenchError(f"no test gave figures; {reasons}")
     if folder is not None:
-        results.write_page(folder)
+        _write_page(folder, source, results, force)
     return results
+
+
+def describe_readiness(campaign: Campaign) -> str:
+    """Which tests of the bench give figures of a campaign, why others do not, and which kinds of
+    records no test reads, in words."""
+    able, unable = [], []
+    for procedure in catalogue.PROCEDURES:
+        if campaign.of_kind(*procedure.kinds):
+            try:
+                able.append(run_test(procedure.name, campaign=campaign).name)
+            except HrgError as error:
+                unable.append(f"  not {procedure.name}: {error}")
+    lines = [f"the bench can run: {', '.join(able) or 'no test'}", *unable]
+    read = sorted({kind for procedure in catalogue.PROCEDURES for kind in procedure.kinds})
+    for test in campaign.tests:
+        if test.kind not in read:
+            close = difflib.get_close_matches(test.kind, read, n=1) or read
+            expected = f"expected one such as {' or '.join(close)}"
+            lines.append(f"  {test.id}: no bench test reads the kind {test.kind}; {expected}")
+    return "\n".join(lines)
 
 
 def _attempt(
@@ -151,11 +187,31 @@ def _attempt(
         progress.end()
         return TestFailure(procedure, str(error))
     export = procedure.export(records, source.device) if procedure.export else None
-    result = TestResult(procedure, outcome, records, source.seed, source.limits, export)
+    result = TestResult(procedure, outcome, records, source.identity, source.limits, export)
     if out is not None:
         result.write(out / procedure.name)
     progress.end()
     return result
+
+
+def _read_kept(folder: Path, source: Source) -> list[TestResult]:
+    """Results in an output folder; one of another device, seed or version is refused."""
+    chosen = [p for p in catalogue.PROCEDURES if (folder / p.name / RESULT).is_file()]
+    return [read_result(folder / p.name, p, source.identity) for p in chosen]
+
+
+def _write_page(folder: Path, source: Source, results: BenchResults, force: bool) -> None:
+    """Write report.html of all tests in the folder, without those of another run."""
+    for procedure in catalogue.PROCEDURES if force else ():
+        try:
+            check_identity(folder / procedure.name / RESULT, source.identity)
+        except HrgError:
+            shutil.rmtree(folder / procedure.name)
+    attempts = {result.name: result for result in _read_kept(folder, source)}
+    done = {attempt.procedure.name: attempt for attempt in results.attempts}
+    order = [procedure.name for procedure in catalogue.PROCEDURES]
+    merged = sorted(({**attempts, **done}).items(), key=lambda item: order.index(item[0]))
+    replace(results, attempts=[attempt for _, attempt in merged]).write_page(folder)
 
 
 def _choose_procedures(names: Sequence[str] | str | None) -> Sequence[Procedure]:

@@ -3,8 +3,10 @@
 import difflib
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import cached_property, partial
 from pathlib import Path
+from typing import Any
 
 from fmu_build.bundle import build_fmu
 from pyhrg.bench.bench import NAMELESS, Bench
@@ -14,11 +16,14 @@ from pyhrg.bench.reporting.progress import Progress
 from pyhrg.bench.store import Store
 from pyhrg.common.arguments import choose_workers
 from pyhrg.common.errors import HrgError
+from pyhrg.common.made_by import digest_value, list_versions
 from pyhrg.device import device_file, ready_devices
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
+from pyhrg.records import Log
 from pyhrg.records import campaign as campaigns
-from pyhrg.records.campaign import Campaign
+from pyhrg.records.campaign import Campaign, Test
+from pyhrg.records.missing_inputs import add_missing_inputs, turns
 
 DEFAULT_DEVICE = "typical"
 """Ready device that is simulated where no other is named."""
@@ -28,6 +33,7 @@ DEFAULT_DEVICE = "typical"
 class Source:
     """Where the records of a run come from.
 
+    name: of the gyro.
     subject: the gyro, and how its records come about; heads the report.
     procedures: the tests that there are records for.
     get_records: gives the campaign that a procedure evaluates.
@@ -38,6 +44,7 @@ class Source:
     store: open during the run.
     """
 
+    name: str
     subject: str
     procedures: Sequence[Procedure]
     get_records: Callable[[Procedure], Campaign]
@@ -46,6 +53,16 @@ class Source:
     seed: int | None = None
     limits: Mapping[str, float] = field(default_factory=dict)
     store: AbstractContextManager[object] = field(default_factory=nullcontext)
+
+    @cached_property
+    def identity(self) -> dict[str, Any]:
+        """Device, digest of its parameters, seed and versions, by keys of result.json."""
+        return {
+            "made_by": list_versions(),
+            "device": self.name,
+            "device_sha256": digest_value(self.device),
+            "seed": self.seed,
+        }
 
 
 def prepare_simulation(
@@ -76,6 +93,7 @@ def prepare_simulation(
         return bench.campaign(procedure.record(bench, **plan))
 
     return Source(
+        name=gyro.name or NAMELESS,
         subject=f"{gyro.name or NAMELESS}, simulated with seed {seed}",
         procedures=procedures,
         get_records=simulate_campaign,
@@ -94,13 +112,30 @@ def open_records(campaign: Campaign | str | Path, procedures: Sequence[Procedure
     if len(procedures) > 1 and not able:
         kinds = ", ".join(sorted({test.kind for test in records.tests})) or "no tests"
         raise BenchError(f"{records.device}: no test evaluates a campaign that has {kinds}")
+    device = replace(device_file.from_table(records.nominal, records.device), site=records.site)
+    tests = (
+        replace(test, recording=partial(_complete_log, test, device)) for test in records.tests
+    )
+    completed = replace(records, tests=tuple(tests))
     return Source(
+        name=records.device,
         subject=f"{records.device}, recorded",
         procedures=able if len(procedures) > 1 else procedures,
-        get_records=lambda procedure: records,
-        device=device_file.from_table(records.nominal, records.device),
+        get_records=lambda procedure: completed,
+        device=device,
         resumption="the same command begins again",
     )
+
+
+def _complete_log(test: Test, device: Device) -> Log:
+    """A test's log with the inputs that it lacks as at rest, and a note that says which.
+
+    The table's angle stays missing where the gyro shows that the table turned.
+    """
+    without = ("table_angle",) if turns(test.log) else ()
+    log, notes = add_missing_inputs(test.log, device, without)
+    texts = (note.removeprefix(f"{log.source}: ") for note in notes)
+    return replace(log, exclusions=(*log.exclusions, *texts))
 
 
 def _load_fmus(procedures: Sequence[Procedure], say: Callable[[str], None]) -> dict[str, GyroFmu]:

@@ -47,6 +47,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="DIR",
         help="output folder (default hrg-bench): report.html, and a folder for each test",
     )
+    parser.add_argument(
+        "--force",
+        action="store_true",
+        help="replace results of another device, seed or version in the output folder",
+    )
     for procedure in PROCEDURES:
         if procedure.options:
             group = parser.add_argument_group(f"plan of {procedure.name}")
@@ -76,6 +81,7 @@ def run(options: argparse.Namespace) -> None:
         seed=options.seed,
         workers=options.workers,
         out=options.out,
+        force=options.force,
         progress=True,
         **plan,
     )

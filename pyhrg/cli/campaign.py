@@ -3,6 +3,9 @@
 import argparse
 from pathlib import Path
 
+from pyhrg.common.errors import HrgError
+from pyhrg.common.files import check_output_folder, write_whole
+
 HELP = "make a campaign of a laboratory's own logs"
 
 
@@ -23,13 +26,44 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     where.add_argument(
         "--check", action="store_true", help="say what was understood, and write nothing"
     )
+    action.set_defaults(run_action=_import)
+    action = actions.add_parser(
+        "init",
+        help="draft a mapping for the import of logs",
+        description="Draft a mapping: columns and units guessed from the logs' headers, to edit.",
+    )
+    action.add_argument("logs", type=Path, nargs="+", metavar="LOG", help="text files, as CSV")
+    action.add_argument(
+        "--out",
+        type=Path,
+        default=Path("mapping.toml"),
+        metavar="FILE",
+        help="mapping to write; not there yet (default mapping.toml)",
+    )
+    action.set_defaults(run_action=_draft)
 
 
 def run(options: argparse.Namespace) -> None:
+    options.run_action(options)
+
+
+def _import(options: argparse.Namespace) -> None:
+    from pyhrg.bench.session import describe_readiness
     from pyhrg.gap.soundness import describe_screening
     from pyhrg.records.campaign_import import import_campaign
 
     imported = import_campaign(options.mapping, options.out)
-    print(f"{imported.preview}\n\n{describe_screening(imported.campaign_as_read)}")
+    campaign = imported.campaign_as_read
+    print(f"{imported.preview}\n\n{describe_screening(campaign)}\n\n{describe_readiness(campaign)}")
     if options.out is not None:
         print(f"\nwritten to {options.out}")
+
+
+def _draft(options: argparse.Namespace) -> None:
+    from pyhrg.records.campaign_import import draft_mapping
+
+    if options.out.exists():
+        raise HrgError(f"{options.out}: found a file, expected none: choose another --out")
+    check_output_folder(options.out.parent)
+    write_whole(options.out, draft_mapping(options.logs, options.out.parent).encode())
+    print(f"written to {options.out}; edit it, then: hrg campaign import {options.out} --check")

@@ -33,10 +33,17 @@ def check_seed(value: int) -> int:
 def choose_workers(workers: int | None) -> int:
     """Number of workers: the given one, or as many as this process has cores."""
     if workers is None:
-        return len(os.sched_getaffinity(0))
+        return count_cores()
     if not isinstance(workers, Integral) or workers < 1:
         raise HrgError(f"workers: found {workers!r}, expected a whole number from 1")
     return int(workers)
+
+
+def count_cores() -> int:
+    """Number of cores that this process may use; of the machine's where the system does not say."""
+    if hasattr(os, "sched_getaffinity"):  # Linux
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
 
 
 def check_whole_minutes(name: str, hours: float, most_hours: float) -> int:

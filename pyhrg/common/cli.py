@@ -1,6 +1,7 @@
 """The command `hrg`: each package brings its own subcommands as entry points."""
 
 import argparse
+import difflib
 import os
 import signal
 import sys
@@ -15,6 +16,9 @@ from pyhrg.common.errors import HrgError, fold_line
 SINGLE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS")
 """Variables that make linear algebra run in one thread, unless the user sets them: more threads
 slow its small matrices down, and large work is shared among processes."""
+MIN_LIKENESS = 0.7
+"""Share of equal letters from which an option that is not known is taken for a known one. Chosen:
+`--devise` is `--device`, `--bogus` is nothing."""
 
 
 class Command(Protocol):
@@ -39,6 +43,25 @@ class _Parser(argparse.ArgumentParser):
         super().__init__(*arguments, **options)
         self.register("type", int, partial(_parse_number, int))
         self.register("type", float, partial(_parse_number, float))
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """As of any parser, but an option that is close to a known one is named."""
+        options, unknown = super().parse_known_args(args, namespace)
+        for text in unknown:
+            name = text.partition("=")[0]
+            known = [name for action in self._actions for name in action.option_strings]
+            close = difflib.get_close_matches(name, known, n=1, cutoff=MIN_LIKENESS)
+            if name.startswith("--") and close:
+                self.error(f"found {name}, expected {close[0]}")
+        return options, unknown
+
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        """As of any parser, but of many choices the closest one is named."""
+        if action.choices is not None and value not in action.choices:
+            known = [str(choice) for choice in action.choices]
+            close = difflib.get_close_matches(str(value), known, n=1)
+            expected = " or ".join(close) or f"one of {', '.join(known)}"
+            raise argparse.ArgumentError(action, f"found {value!r}, expected {expected}")
 
     def error(self, message: str) -> NoReturn:
         """One clear line, as for every user's error."""
@@ -75,7 +98,7 @@ def _report_errors(arguments: Sequence[str] | None) -> int:
         print(f"hrg: {fold_line(f'{place}{error.strerror or error}')}", file=sys.stderr)
         return 2
     except KeyboardInterrupt as interruption:
-        print(f"hrg: {interruption or 'interrupted; nothing was written'}", file=sys.stderr)
+        print(f"hrg: {str(interruption) or 'interrupted; nothing was written'}", file=sys.stderr)
         return 130
     finally:
         sys.stdout.flush()
@@ -120,11 +143,12 @@ def refuse(options: argparse.Namespace, names: Sequence[str], reason: str) -> No
 
 @contextmanager
 def progress_bar(title: str, unit: str) -> Iterator[Callable[[int, int], None]]:
-    """A bar on stderr; what it gives is called with the number done and the number of all."""
+    """A bar on a terminal's stderr, with the time that is left; nothing into a pipe. What it gives
+    is called with the number done and the number of all."""
     from tqdm import tqdm
 
-    layout = "{desc} {percentage:3.0f}%|{bar}| {n}/{total} " + unit + " [{elapsed}]"
-    with tqdm(desc=title, bar_format=layout, delay=2, file=sys.stderr) as bar:
+    layout = "{desc} {percentage:3.0f}%|{bar}| {n}/{total} " + unit + " [{elapsed}<{remaining}]"
+    with tqdm(desc=title, bar_format=layout, delay=2, file=sys.stderr, disable=None) as bar:
 
         def update(done: int, total: int) -> None:
             bar.total = total

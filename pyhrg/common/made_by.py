@@ -1,11 +1,15 @@
 """Versions of all that decides the last bits of a result: this code and its libraries."""
 
 import hashlib
+from collections.abc import Mapping
 from functools import cache
 from importlib.metadata import version
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
+
+from pyhrg.common.errors import HrgError
+from pyhrg.common.reading.documents import read_json
 
 PACKAGES = ("fmu_build", "pyhrg", "ins_eval", "modelica")
 SOURCES = frozenset((".py", ".mo", ".c", ".h", ".toml"))
@@ -19,6 +23,29 @@ def list_versions() -> dict[str, str]:
     return {"hrg": version("hrg"), "code": _digest_code()} | {
         name: version(name) for name in LIBRARIES
     }
+
+
+def digest_value(value: object) -> str:
+    """SHA-256 of a frozen dataclass of numbers and texts, the first 32 digits."""
+    return hashlib.sha256(repr(value).encode()).hexdigest()[:32]
+
+
+def check_identity(file: Path, identity: Mapping[str, Any]) -> None:
+    """Refuse to replace a result (JSON) whose values under the identity's keys differ from it.
+
+    Raises:
+        HrgError: a value differs, or the file can't be read.
+    """
+    if not file.exists():
+        return
+    document = read_json(file)
+    found = {key: document.get(key) for key in identity}
+    if differs := find_difference(found, dict(identity)):
+        key, here, asked = differs
+        raise HrgError(
+            f"{file}: another run: {key}: found {here!r}, expected {asked!r}; choose another "
+            "folder, or replace what is there with --force"
+        )
 
 
 def find_difference(found: Any, expected: Any, key: str = "") -> tuple[str, Any, Any] | None:

@@ -78,6 +78,10 @@ class Log:
                 f"found {', '.join(present)}"
             )
 
+    def has_values(self, *fields: str) -> bool:
+        """Whether each of these fields has a value in some row."""
+        return all(bool(np.isfinite(getattr(self, field)).any()) for field in fields)
+
     def to_frame(self) -> pd.DataFrame:
         """The log's columns in SI under their fields' names, one row an interval.
 

@@ -17,6 +17,7 @@ from ins_eval.study.specification import TEST, TRAIN
 from ins_eval.study.tables import columns
 from ins_eval.study.tables.columns import Predictor
 from pyhrg.common.arrays import Array
+from pyhrg.common.pages.svg import format_interval
 from pyhrg.common.units import NAUTICAL_MILE
 
 NAIVE = Predictor("naive", "Training triads' median", "the errors of the training triads alone")
@@ -139,4 +140,4 @@ def _format_class(name: str, rows: pd.DataFrame) -> Iterator[str]:
 def _format_score(value: float, low: float, high: float) -> str:
     if not np.isfinite(value):
         return "not defined"
-    return f"{value:.3g} ({low:.3g} to {high:.3g})"
+    return format_interval(value, low, high)

@@ -1,8 +1,8 @@
 """A study's folder: its identity, its finished blocks; one command works in it at a time."""
 
-import fcntl
 import os
 import shutil
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -18,6 +18,8 @@ from pyhrg.common.reading.documents import read_json
 
 IDENTITY = "identity.json"
 BLOCK_FOLDER = "blocks"
+LOCK = ".lock"
+"""File in the folder that is locked on Windows, where a folder can't be."""
 PARTIAL = ".partial-*"
 """Folders of unfinished files, which a killed command leaves."""
 
@@ -62,18 +64,35 @@ def claim_folder(path: Path, identity: Identity) -> Iterator[StudyFolder]:
         OSError: the folder can't be written.
     """
     path.mkdir(parents=True, exist_ok=True)
-    handle = os.open(path, os.O_RDONLY)
+    handle = _lock(path)
     try:
-        try:
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            raise StudyRunError(f"{path}: found another command at work there") from None
         _check(path, identity)
         for unfinished in path.glob(PARTIAL):
             shutil.rmtree(unfinished)
         yield StudyFolder(path, identity)
     finally:
         os.close(handle)
+
+
+def _lock(path: Path) -> int:
+    """A handle that keeps other commands out of a folder until it is closed."""
+    if sys.platform == "win32":
+        import msvcrt
+
+        handle = os.open(path / LOCK, os.O_RDWR | os.O_CREAT)
+    else:
+        import fcntl
+
+        handle = os.open(path, os.O_RDONLY)
+    try:
+        if sys.platform == "win32":
+            msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)
+        else:
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        os.close(handle)
+        raise StudyRunError(f"{path}: found another command at work there") from None
+    return handle
 
 
 def _check(path: Path, identity: Identity) -> None:

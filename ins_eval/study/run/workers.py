@@ -1,7 +1,6 @@
 """Distributes blocks over Dask workers of this machine or of any cluster."""
 
 import logging
-import os
 import re
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import CancelledError
@@ -15,6 +14,7 @@ import dask
 from distributed import Client, Future, KilledWorker, LocalCluster
 
 from ins_eval.study.run.errors import StudyRunError
+from pyhrg.common.arguments import count_cores
 
 ADDRESS = r"(tcp|tls)://\S+:\d+"
 POLL_INTERVAL = 0.2
@@ -41,7 +41,7 @@ def connect(scheduler: str | None, workers: int | None) -> Iterator[Client]:
     """
     if scheduler is None:
         options = {
-            "n_workers": workers or len(os.sched_getaffinity(0)),
+            "n_workers": workers or count_cores(),
             "threads_per_worker": 1,
             "memory_limit": 0,
             "dashboard_address": DASHBOARD_ADDRESS,

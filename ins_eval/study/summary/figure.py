@@ -21,6 +21,7 @@ from ins_eval.study.tables.columns import (
     FIXED_RULE,
 )
 from ins_eval.study.tables.score import ALL, R2_RADIAL, SPEARMAN
+from pyhrg.common.pages.svg import format_interval
 from pyhrg.common.units import HOUR, NAUTICAL_MILE
 
 FIXED_COLOUR, CIRCUMFERENCE_COLOUR, MAP_COLOUR = "#d55e00", "#0072b2", "#009e73"
@@ -117,9 +118,7 @@ def _describe(data: StudyData, calibration: str, key: str) -> str:
     name, predictor = (SPEARMAN, RANKING[key]) if key in RANKING else (R2_RADIAL, key)
     found = data.select(name, predictor=predictor, calibration=calibration, mission_class=ALL)
     word = "Spearman" if name == SPEARMAN else "R2"
-    return (
-        f"{word} {found[0].value:.2f} ({found[0].low:.2f} to {found[0].high:.2f})" if found else ""
-    )
+    return f"{word} {format_interval(found[0].value, found[0].low, found[0].high)}" if found else ""
 
 
 def _format(miles: float) -> str:

@@ -13,6 +13,7 @@ from ins_eval.study.summary.outcome import Outcome, list_outcomes
 from ins_eval.study.tables import columns as c
 from ins_eval.study.tables.columns import CIRCUMFERENCE_RULE, FITTED_MAP, FIXED_RULE
 from ins_eval.study.tables.score import AGREEMENT, CLASS_CONSTANT, STEADY_AGREEMENT, Score
+from pyhrg.common.pages.svg import format_interval
 
 WIDTH = 54
 """Characters of a line before its number."""
@@ -73,11 +74,10 @@ def _describe(outcome: Outcome, data: StudyData) -> Iterator[str]:
         CLASS_CONSTANT, calibration=outcome.calibration, mission_class=mission_class
     ):
         name = c.PREDICTOR_OF[s.predictor].title.split(",")[0].lower()
-        constant = f"{s.value:.2g} nmi/h ({s.low:.2g} to {s.high:.2g})"
+        constant = f"{format_interval(s.value, s.low, s.high)} nmi/h"
         yield f"  {f'0.01 deg/h, {name}, makes in this class':<{WIDTH}}{constant}"
     yield ""
 
 
 def _format_percent(score: Score) -> str:
-    value, low, high = (100 * end for end in (score.value, score.low, score.high))
-    return f"{value:.2g} % ({low:.2g} to {high:.2g} %)"
+    return f"{format_interval(100 * score.value, 100 * score.low, 100 * score.high)} %"

@@ -130,15 +130,15 @@ def find_residual_variation(
 
 def _verdict(found: dict[str, Finding]) -> str:
     before, variation = found["bias stability before"], found["scale factor variation before"]
-    text = f"Bias stability {before.value_in_unit:.2g} deg/h, scale factor variation "
-    text += f"{variation.value_in_unit:.2g}"
+    text = f"Bias stability {before.value:.2g} deg/h, scale factor variation "
+    text += f"{variation.value:.2g}"
     if "bias stability after" not in found:
         return f"{text} ppm over the circumference; maps are fitted, not verified."
     after, noise = found["bias stability after"], found["within positions after"]
     variation_after = found["scale factor variation after"]
     return (
-        f"{text} ppm over the circumference as it is; with its maps {after.value_in_unit:.2g} "
-        f"deg/h (noise alone {noise.value_in_unit:.2g}) and {variation_after.value_in_unit:.2g} "
+        f"{text} ppm over the circumference as it is; with its maps {after.value:.2g} "
+        f"deg/h (noise alone {noise.value:.2g}) and {variation_after.value:.2g} "
         "ppm."
     )
 

@@ -71,7 +71,7 @@ def fit_maps(campaign: Campaign) -> Calibration:
 
 def make_angle_map(found: Mapping[str, Finding]) -> AngleMap:
     """Coefficients, SI; zero where nothing was found."""
-    return AngleMap(**{name: finding.value for name, finding in found.items()})
+    return AngleMap(**{name: finding.si_value for name, finding in found.items()})
 
 
 def turn_map(coefficients: AngleMap, angle: float) -> AngleMap:

@@ -125,27 +125,29 @@ def evaluate(campaign: Campaign) -> Outcome:
     groups = [read_runs(campaign, kind) for kind in (PLAIN, COMPENSATED, CANCELLED)]
     (plain, by_output, by_force), excluded = zip(*groups, strict=True)
     everything = [*plain, *by_output, *by_force]
-    capture = 1 / (4 * read_bryan_factor(campaign) * lock.value) if lock.value > 0 else math.inf
+    capture = (
+        1 / (4 * read_bryan_factor(campaign) * lock.si_value) if lock.si_value > 0 else math.inf
+    )
     return Outcome(
         findings=(
             lock,
-            *free_runs.compare_with_adler(plain, fitted, lock.value),
+            *free_runs.compare_with_adler(plain, fitted, lock.si_value),
             *free_runs.find_residual_dead_zone(by_output, by_force),
         ),
         verdict=_verdict(plain, lock, capture),
-        tables=(free_runs.tabulate_runs(everything, fitted, lock.value),) if everything else (),
+        tables=(free_runs.tabulate_runs(everything, fitted, lock.si_value),) if everything else (),
         warnings=tuple(refused),
         exclusions=(*list_exclusions(tests), *chain(*excluded)),
-        draw=lambda figure: free_runs.draw(figure, plain, by_force, fitted, lock.value),
+        draw=lambda figure: free_runs.draw(figure, plain, by_force, fitted, lock.si_value),
         values={"capture_time": capture},
     )
 
 
 def _verdict(plain: Sequence[Run], lock: Finding, capture: float) -> str:
-    if not lock.low > 0:
-        most = lock.high / DEG_PER_H
+    if not lock.si_low > 0:
+        most = lock.si_high / DEG_PER_H
         return f"No dead zone is seen: the map's fourth harmonic is at most {most:.2g} deg/h."
-    below, within = f"{lock.value_in_unit:.4g} deg/h", f"{capture / HOUR:.3g} h"
+    below, within = f"{lock.value:.4g} deg/h", f"{capture / HOUR:.3g} h"
     shown = f"{sum(run.locked for run in plain)} of {len(plain)} free runs are locked"
     if not any(run.locked for run in plain):
         shown = f"no free run shows it: each takes {CAPTURES:g} times that, and is simulated "

@@ -156,12 +156,12 @@ def evaluate(campaign: Campaign) -> Outcome:
     columns = (response.frequency, np.abs(mean), response.reach, np.angle(mean) / DEG)
     rows = tuple(tuple(f"{x:.6g}" for x in row) for row in zip(*columns, strict=True))
     half = tests[0].log.interval / 2
-    limit = "at least " if np.isinf(width.high) else ""
+    limit = "at least " if np.isinf(width.si_high) else ""
     return Outcome(
         findings=(width, delay, *gains),
         verdict=(
-            f"Bandwidth {limit}{width.value_in_unit:.4g} Hz, delay "
-            f"{delay.value / 1e-6:.2g} us at the samples; a user who holds the last sample "
+            f"Bandwidth {limit}{width.value:.4g} Hz, delay "
+            f"{delay.si_value / 1e-6:.2g} us at the samples; a user who holds the last sample "
             f"sees {half / 1e-3:g} ms more on average."
         ),
         tables=(Table("Frequency response", header, rows),),

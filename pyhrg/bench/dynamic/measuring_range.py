@@ -156,13 +156,13 @@ def evaluate(campaign: Campaign) -> Outcome:
         for name, steps in both.items()
     }
     tables = tuple(Table(f"Steps, {n}", header, tuple(rows)) for n, rows in cells.items())
-    worst = min(findings, key=lambda f: (0.0 if np.isnan(f.value) else f.value, f.high))
+    worst = min(findings, key=lambda f: (0.0 if np.isnan(f.si_value) else f.si_value, f.si_high))
     unseen = any(np.isnan(test.log.valid).any() for test in tests)
     return Outcome(
         findings=(replace(worst, name="measuring range"), *findings),
         verdict=(
             f"Within {ERROR_LIMIT / 1e-6:g} ppm of the input and valid up to "
-            f"{worst.value_in_unit:.5g} deg/s either way; {worst.note}."
+            f"{worst.value:.5g} deg/s either way; {worst.note}."
         ),
         tables=tables,
         warnings=(NO_VALIDITY,) if unseen else (),

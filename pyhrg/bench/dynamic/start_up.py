@@ -123,8 +123,8 @@ def evaluate(campaign: Campaign) -> Outcome:
     return Outcome(
         findings=findings,
         verdict=(
-            f"Valid after {findings[0].value:.3g} s, within {SPECIFICATION / DEG_PER_H:g} deg/h "
-            f"({AVERAGE:g} s averages) after {findings[2].value:.3g} s, medians of {len(runs)} "
+            f"Valid after {findings[0].si_value:.3g} s, within {SPECIFICATION / DEG_PER_H:g} deg/h "
+            f"({AVERAGE:g} s averages) after {findings[2].si_value:.3g} s, medians of {len(runs)} "
             "power-ons."
         ),
         tables=(Table("Power-ons", ("run", "valid, s", "to specification, s"), tuple(rows)),),

@@ -141,7 +141,7 @@ def evaluate(campaign: Campaign) -> Outcome:
     for name in (name for name, side in sides.items() if not side):
         raise BenchError(f"{tests[0].log.source}: no {name} rates, the threshold takes both signs")
     findings = [find_threshold(f"threshold {name}", side) for name, side in sides.items()]
-    worst = max(findings, key=lambda f: (np.isnan(f.value), f.value, f.high))
+    worst = max(findings, key=lambda f: (np.isnan(f.si_value), f.si_value, f.si_high))
     note = f" ({worst.note})" if worst.note else ""
     single = [
         Finding(
@@ -161,7 +161,7 @@ def evaluate(campaign: Campaign) -> Outcome:
     )
     return Outcome(
         findings=(replace(worst, name="threshold"), *findings, *single),
-        verdict=f"Threshold {worst.value_in_unit:.3g} deg/s{note}, the worse of both signs.",
+        verdict=f"Threshold {worst.value:.3g} deg/s{note}, the worse of both signs.",
         tables=(Table("Responses", ("rate, deg/s", "response", "+- 95 %", "n"), rows),),
         warnings=(
             f"dwells last {longest:.4g} s: a dead zone by damping anisotropy captures the pattern "

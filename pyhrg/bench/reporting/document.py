@@ -1,37 +1,47 @@
-"""Content of result.json."""
+"""Content of result.json, written and read."""
 
 import json
 import math
 from collections.abc import Mapping
-from importlib.metadata import version
+from dataclasses import asdict
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from pyhrg.bench.outcome import Outcome
+from pyhrg.bench.outcome import UNITS, Finding, Outcome
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.reporting.judgement import judge_findings
+from pyhrg.common.pages.markup import Table
+from pyhrg.common.toml_table import SpecificationError, TomlTable, read_json_table
 
 SCHEMA = "hrg-bench/1"
+LIMITS = ("at_most", "at_least")
+"""Keys of a limit: from above, from below."""
 
 
 def format_document(
-    procedure: Procedure, outcome: Outcome, seed: int | None, limits: Mapping[str, float]
+    procedure: Procedure,
+    outcome: Outcome,
+    identity: Mapping[str, Any],
+    limits: Mapping[str, float],
 ) -> str:
     """JSON text of a test's result; each finding is in the unit that its key names.
 
-    The limits are the specification's, by the findings' keys.
+    The identity says what was tested and by which version; the limits are the specification's, by
+    the findings' keys.
     """
     content = {
         "schema": SCHEMA,
-        "hrg": version("hrg"),
+        **identity,
         "procedure": procedure.name,
         "source": procedure.source,
-        "seed": seed,
         "findings": {
             finding.key: {
-                "value": _convert(finding.value_in_unit),
-                "interval_95": _convert(finding.interval_in_unit),
+                "name": finding.name,
+                "unit": finding.unit,
+                "value": _convert(finding.value),
+                "interval_95": _convert(finding.interval),
                 "n": finding.n,
                 "note": finding.note,
             }
@@ -40,16 +50,63 @@ def format_document(
         "verdict": outcome.verdict,
         "specification": {
             judgement.finding.key: {
-                "at_least" if judgement.finding.at_least else "at_most": judgement.limit,
+                LIMITS[judgement.finding.at_least]: judgement.limit,
                 "verdict": judgement.word,
             }
             for judgement in judge_findings(outcome, limits)
         },
+        "tables": [asdict(table) for table in outcome.tables],
         "warnings": list(outcome.warnings),
         "exclusions": list(outcome.exclusions),
         "values_si": _convert(outcome.values),
     }
     return json.dumps(content, indent=2, allow_nan=False) + "\n"
+
+
+def read_document(path: Path) -> tuple[Outcome, dict[str, float]]:
+    """The outcome that a result.json states, without its figure and its values for programs, and
+    the specification's limits by the findings' keys.
+
+    Raises:
+        SpecificationError: the file can't be read, or a key is missing or of another kind.
+    """
+    document = read_json_table(path, SpecificationError)
+    stated = document.table("findings")
+    specification = document.table("specification")
+    limits = {
+        key: next(
+            specification.table(key).finite_number(side)
+            for side in LIMITS
+            if side in specification.table(key).values
+        )
+        for key in specification.values
+    }
+    outcome = Outcome(
+        findings=tuple(
+            _read_finding(stated.table(key), "at_least" in specification.table(key).values)
+            for key in stated.values
+        ),
+        verdict=document.text("verdict", None),
+        tables=tuple(
+            Table(
+                table.text("title", None),
+                tuple(table.values["header"]),
+                tuple(map(tuple, table.values["rows"])),
+            )
+            for table in document.tables("tables")
+        ),
+        warnings=tuple(document.values["warnings"]),
+        exclusions=tuple(document.values["exclusions"]),
+    )
+    return outcome, limits
+
+
+def _read_finding(entry: TomlTable, at_least: bool) -> Finding:
+    unit = entry.text("unit", None, tuple(UNITS))
+    numbers = [entry.values["value"], *entry.values["interval_95"]]
+    value, low, high = (math.nan if x is None else x * UNITS[unit] for x in numbers)
+    n, note = entry.values["n"], entry.text("note", "")
+    return Finding(entry.text("name", None), value, unit, low, high, n, note, at_least)
 
 
 def _convert(value: Any) -> Any:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from pyhrg.bench.outcome import Finding, Outcome
+from pyhrg.common.pages.svg import format_interval
 
 
 @dataclass(frozen=True)
@@ -22,9 +23,9 @@ class Judgement:
     def word(self) -> str:
         """`meets` or `fails` where the whole 95 % interval of the magnitude lies on one side of the
         limit, else `not decided`; `not measured` where the finding has no value."""
-        if math.isnan(self.finding.value):
+        if math.isnan(self.finding.si_value):
             return "not measured"
-        low, high = self.finding.interval_in_unit
+        low, high = self.finding.interval
         if math.isnan(low + high):
             return "not decided"
         ends = sorted((abs(low), abs(high)))
@@ -35,11 +36,10 @@ class Judgement:
 
     def __str__(self) -> str:
         finding = self.finding
-        low, high = finding.interval_in_unit
-        interval = f" ({low:.4g} to {high:.4g})" if low <= high else ""
+        low, high = finding.interval
+        value = format_interval(finding.value, low, high) if low <= high else f"{finding.value:.4g}"
         side = "at least" if finding.at_least else "at most"
-        value = f"{finding.value_in_unit:.4g}"
-        return f"{finding.key} {value}{interval}, {side} {self.limit:g}: {self.word}"
+        return f"{finding.key} {value}, {side} {self.limit:g}: {self.word}"
 
 
 def judge_findings(outcome: Outcome, limits: Mapping[str, float]) -> list[Judgement]:

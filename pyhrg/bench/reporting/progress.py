@@ -16,7 +16,7 @@ class Progress:
 
     def __init__(self, show: Show) -> None:
         self._write = show if callable(show) else None
-        shape = "{n}/{total} tests, {desc} [{elapsed}]"
+        shape = "{n}/{total} tests, {desc} [{elapsed}<{remaining}]"
         self._bar = tqdm(total=0, bar_format=shape, disable=None) if show is True else None
         self._test, self._begun = "", time.monotonic()
         self._times: list[float] = []

@@ -4,21 +4,23 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import ClassVar, cast
+from typing import Any, ClassVar, cast
 
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from pyhrg.bench.figures import move_legends
 from pyhrg.bench.outcome import Outcome
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.reporting import page
-from pyhrg.bench.reporting.document import format_document
+from pyhrg.bench.reporting.document import format_document, read_document
 from pyhrg.bench.reporting.judgement import describe_unmatched_limits, judge_findings
 from pyhrg.bench.reporting.parameter_system import make_table_1
 from pyhrg.bench.reporting.text import format_outcome, format_section, format_table
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import replace_folder, write_whole
+from pyhrg.common.made_by import check_identity
 from pyhrg.common.pages.markup import Table
 from pyhrg.device import device_file
 from pyhrg.device.device import Device
@@ -35,8 +37,8 @@ class TestResult:
     """Result of one test.
 
     outcome: what the procedure gave, in SI.
-    records: the campaign that was evaluated.
-    seed: of the simulation; None where the records are not simulated.
+    records: the campaign that was evaluated; None where the result was read from a file.
+    identity: device, digest of its parameters, seed and versions, by keys of result.json.
     limits: the specification's, by the findings' keys.
     export: the device as the test makes it (a calibrated one); None where the test makes none.
     """
@@ -45,8 +47,8 @@ class TestResult:
 
     procedure: Procedure
     outcome: Outcome
-    records: Campaign
-    seed: int | None = None
+    records: Campaign | None
+    identity: Mapping[str, Any]
     limits: Mapping[str, float] = field(default_factory=dict)
     export: Device | None = None
 
@@ -54,6 +56,11 @@ class TestResult:
     def name(self) -> str:
         """Name of the test."""
         return self.procedure.name
+
+    @property
+    def seed(self) -> int | None:
+        """Seed of the simulation; None where the records are not simulated."""
+        return self.identity["seed"]
 
     @property
     def verdict(self) -> str:
@@ -71,7 +78,7 @@ class TestResult:
         words = {j.finding.key: j.word for j in judge_findings(self.outcome, self.limits)}
         rows = {
             f.key: (
-                *(f.name, f.value_in_unit, f.unit, *f.interval_in_unit, f.n),
+                *(f.name, f.value, f.unit, *f.interval, f.n),
                 *(self.limits.get(f.key, math.nan), words.get(f.key, ""), f.note),
             )
             for f in self.outcome.findings
@@ -129,13 +136,14 @@ class TestResult:
         """
         check_folder(Path(folder))
         with replace_folder(Path(folder)) as aside:
-            text = format_document(self.procedure, self.outcome, self.seed, self.limits)
+            text = format_document(self.procedure, self.outcome, self.identity, self.limits)
             (aside / RESULT).write_text(text)
             if self.outcome.draw:
                 figure = Figure(figsize=(8, 5), layout="constrained")
                 self.outcome.draw(figure)
+                move_legends(figure)
                 figure.savefig(aside / PICTURE, dpi=120, metadata={"Software": None})
-            if self.seed is not None:
+            if self.seed is not None and self.records is not None:
                 campaigns.write_campaign(self.records, aside)
             if self.export:
                 device_file.write(self.export, aside / DEVICE)
@@ -216,7 +224,7 @@ class BenchResults:
         """Write report.html alone; its figures are those in the tests' folders."""
         title, notes = f"HRG bench: {self.subject}", self._list_unmatched()
         sections = [
-            page.make_section(a.procedure, a.outcome, self.limits, f"{a.name}/{PICTURE}")
+            page.make_section(a.procedure, a.outcome, self.limits, _find_picture(folder, a.name))
             if isinstance(a, TestResult)
             else page.make_failure_section(a.procedure, a.reason)
             for a in self.attempts
@@ -242,6 +250,22 @@ class BenchResults:
             return []
         unmatched = describe_unmatched_limits([r.outcome for r in self.results], self.limits)
         return [f"Specification: {sentence}" for sentence in unmatched]
+
+
+def read_result(folder: Path, procedure: Procedure, identity: Mapping[str, Any]) -> TestResult:
+    """The result of a procedure in a folder, without records and figure.
+
+    Raises:
+        HrgError: the file can't be read, or has another identity.
+    """
+    check_identity(folder / RESULT, identity)
+    outcome, limits = read_document(folder / RESULT)
+    return TestResult(procedure, outcome, None, identity, limits)
+
+
+def _find_picture(folder: Path, name: str) -> str:
+    """Path of a test's figure from the page's folder; empty where there is none."""
+    return f"{name}/{PICTURE}" if (folder / name / PICTURE).is_file() else ""
 
 
 def check_folder(folder: Path) -> None:

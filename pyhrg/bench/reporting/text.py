@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.reporting.judgement import judge_findings
 from pyhrg.common.pages.markup import Table
+from pyhrg.common.pages.svg import format_estimate
 
 
 def format_section(title: str, body: str) -> str:
@@ -38,13 +39,14 @@ def make_findings_table(findings: Sequence[Finding]) -> Table:
 
 def format_finding(finding: Finding) -> tuple[str, str, str]:
     """Value, 95 % interval and unit of a finding."""
-    decimals = _choose_decimals(finding)
-    low, high = finding.interval_in_unit
-    interval = f"{_format_number(low, decimals)} to {_format_number(high, decimals)}"
-    if math.isnan(low) and math.isnan(high):
-        interval = "-"
     unit = finding.unit if finding.unit != "1" else ""
-    return _format_number(finding.value_in_unit, decimals), interval, unit
+    low, high = finding.interval
+    if not (math.isfinite(finding.value + high - low) and high > low):
+        value, low_text, high_text = map(_format_number, (finding.value, low, high))
+        return value, "-" if math.isnan(low + high) else f"{low_text} to {high_text}", unit
+    texts = (text.replace("−", "-") for text in format_estimate(finding.value, low, high))
+    value, low_text, high_text = texts
+    return value, f"{low_text} to {high_text}", unit
 
 
 def format_table(table: Table) -> str:
@@ -68,17 +70,7 @@ def _count_columns(cell: str) -> int:
     return sum(2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in cell)
 
 
-def _choose_decimals(finding: Finding) -> int | None:
-    """Decimals that show two digits of the interval's width; None where four digits are enough."""
-    low, high = finding.interval_in_unit
-    width = high - low
-    if not (math.isfinite(width) and width > 0):
-        return None
-    decimals = 1 - math.floor(math.log10(width))
-    return decimals if 0 <= decimals <= 9 and abs(finding.value_in_unit) < 1e6 else None
-
-
-def _format_number(value: float, decimals: int | None) -> str:
+def _format_number(value: float) -> str:
     if not math.isfinite(value):
         return "-" if math.isnan(value) else str(value)
-    return f"{value:.4g}" if decimals is None else f"{value:.{decimals}f}"
+    return f"{value:.4g}"

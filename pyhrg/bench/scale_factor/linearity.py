@@ -152,8 +152,8 @@ def evaluate(campaign: Campaign) -> Outcome:
         findings=findings,
         verdict=(
             f"Up to {top:.0f} deg/s the output deviates from a line by "
-            f"{nonlinearity.value_in_unit:.2g} ppm of the largest; both ways differ by "
-            f"{asymmetry.value_in_unit:.2g} ppm."
+            f"{nonlinearity.value:.2g} ppm of the largest; both ways differ by "
+            f"{asymmetry.value:.2g} ppm."
         ),
         tables=(Table("Rates, means of all power-ons", header, rows),),
         exclusions=rate_tests.list_turn_exclusions(campaign, KIND),
@@ -171,10 +171,10 @@ def _estimate_nonlinearity(lines: Sequence[Line]) -> Finding:
 
 def _estimate_asymmetry(lines: Sequence[Line]) -> Finding:
     signed = estimate_mean("scale factor asymmetry", [line.asymmetry for line in lines], "ppm")
-    low, high = sorted((abs(signed.low), abs(signed.high)))
-    low = 0.0 if signed.low <= 0.0 <= signed.high else low
+    low, high = sorted((abs(signed.si_low), abs(signed.si_high)))
+    low = 0.0 if signed.si_low <= 0.0 <= signed.si_high else low
     note = signed.note or "of the power-ons' mean, either sign"
-    return replace(signed, value=abs(signed.value), low=low, high=high, note=note)
+    return replace(signed, si_value=abs(signed.si_value), si_low=low, si_high=high, note=note)
 
 
 def draw(figure: Figure, lines: Sequence[Line]) -> None:

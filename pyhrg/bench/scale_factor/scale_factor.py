@@ -84,7 +84,7 @@ class ScaleFactorMap:
     def verdict(self) -> str:
         """Variation of the scale factor over the circumference in words, without a full stop."""
         variation = self.variation()
-        low, high = variation.interval_in_unit
+        low, high = variation.interval
         if not low > 0:
             return (
                 "No variation of the scale factor is significant: its standard deviation is "
@@ -92,7 +92,7 @@ class ScaleFactorMap:
             )
         largest = float(np.max(np.abs(self.evaluate(np.linspace(0.0, np.pi, 721))))) / PPM
         return (
-            f"The scale factor varies by {variation.value_in_unit:.3g} ppm over the circumference "
+            f"The scale factor varies by {variation.value:.3g} ppm over the circumference "
             f"(standard deviation; {largest:.3g} ppm at most)"
         )
 

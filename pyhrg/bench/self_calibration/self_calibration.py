@@ -25,6 +25,7 @@ from pyhrg.bench.readings.turns import find_turns
 from pyhrg.bench.scale_factor.scale_factor import fit_scale_factor_map
 from pyhrg.bench.self_calibration import cycles
 from pyhrg.bench.self_calibration.cycles import Cycle, find_averaging_time, find_pooled_deviation
+from pyhrg.common.pages.svg import format_interval
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.campaign import Campaign, Test
 
@@ -107,7 +108,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         warnings=(*cycles.list_warnings(on), *_crept(resting)),
         exclusions=list_exclusions(tests),
         draw=lambda figure: draw(figure, on, off),
-        values={"bias_on": bias.value, "virtual_rotation_gain_error": gain.value},
+        values={"bias_on": bias.si_value, "virtual_rotation_gain_error": gain.si_value},
     )
 
 
@@ -175,14 +176,13 @@ def _scale_factors(campaign: Campaign, turning: AngleFit) -> tuple[Finding, ...]
 def _verdict(found: dict[str, Finding]) -> str:
     on, off = found["bias repeatability on"], found["bias repeatability off"]
     ratio = found["random walk on over off"]
-    low, high = ratio.interval_in_unit
     text = (
-        f"Virtual rotation multiplies the angle random walk by {ratio.value_in_unit:.3g} "
-        f"({low:.3g} to {high:.3g})"
+        "Virtual rotation multiplies the angle random walk by "
+        f"{format_interval(ratio.value, *ratio.interval)}"
     )
-    if np.isnan(on.value) or np.isnan(off.value):
+    if np.isnan(on.si_value) or np.isnan(off.si_value):
         return f"{text}; one power-on can't show what it gains in repeatability."
-    gained = f"{off.value / DEG_PER_H:.2g} to {on.value / DEG_PER_H:.2g} deg/h"
+    gained = f"{off.si_value / DEG_PER_H:.2g} to {on.si_value / DEG_PER_H:.2g} deg/h"
     return f"{text}; repeatability over the power-on angles goes from {gained}."
 
 

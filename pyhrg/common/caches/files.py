@@ -28,6 +28,8 @@ def find_cache_folder() -> Path:
     if not folder.is_absolute():
         raise HrgError("cache: found no home folder, expected $HOME or $XDG_CACHE_HOME")
     folder.mkdir(mode=OF_USER_ALONE, parents=True, exist_ok=True)
+    if not hasattr(os, "geteuid"):  # Windows: a user's folders are the user's alone
+        return folder
     found = folder.stat()
     if found.st_uid != os.geteuid() or found.st_mode & OTHERS_MAY_WRITE:
         raise HrgError(

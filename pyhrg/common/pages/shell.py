@@ -35,14 +35,15 @@ def make_contents(sections: list[PageSection]) -> str:
     return f'<nav aria-label="Sections"><ul>{listed}</ul></nav>'
 
 
-def make_document(title: str, style: str, body: str, script: str) -> str:
+def make_document(title: str, style: str, body: str, script: str, images: bool = False) -> str:
     """A whole page of markup under a plain title: `style` is CSS beside that of all pages, `script`
-    JavaScript that the page can do without."""
+    JavaScript that the page can do without; `images` says whether it shows files beside it."""
+    policy = f"{POLICY}; img-src 'self' file:" if images else POLICY
     base_style = read_asset(files("pyhrg.common.pages"), "base.css")
     return (
         '<!doctype html><html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width,initial-scale=1">'
-        f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">'
+        f'<meta http-equiv="Content-Security-Policy" content="{policy}">'
         f"<title>{html.escape(title)}</title><style>{base_style}{style}</style></head>"
         f"<body>{body}<script>{script}</script></body></html>\n"
     )

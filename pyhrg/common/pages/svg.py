@@ -100,7 +100,9 @@ def draw_vertical_ticks(y: Scale, left: float, right: float) -> str:
 
 
 def _format_short(value: float) -> str:
-    """Format a tick's value: 0.1, 10, −100k."""
+    """Format a tick's value: 0.1, 10, −100k, 1M."""
+    if abs(value) >= 1e6:
+        return f"{format_number(value / 1e6)}M"
     return f"{format_number(value / 1000)}k" if abs(value) >= 1000 else format_number(value)
 
 
@@ -136,7 +138,19 @@ def format_estimate(value: float, low: float, high: float) -> tuple[str, str, st
     width = high - low
     if not (math.isfinite(width) and math.isfinite(value) and width > 0):
         return format_number(value), format_number(low), format_number(high)
-    decimals = max(1 - math.floor(math.log10(width)), 0)
-    rounded = (round(number, decimals) + 0.0 for number in (value, low, high))
-    texts = (f"{number:,.{decimals}f}".replace("-", "−") for number in rounded)
-    return next(texts), next(texts), next(texts)
+    largest = max(abs(value), abs(low), abs(high))
+    if 1e-4 <= largest < 1e6:
+        decimals = max(1 - math.floor(math.log10(width)), 0)
+        rounded = (round(number, decimals) + 0.0 for number in (value, low, high))
+        texts = [f"{number:,.{decimals}f}" for number in rounded]
+    else:
+        digits = max(math.ceil(math.log10(largest / width)), 0) + 2
+        texts = [f"{number:.{digits}g}" for number in (value, low, high)]
+    middle, *ends = (text.replace("-", "−") for text in texts)
+    return middle, ends[0], ends[1]
+
+
+def format_interval(value: float, low: float, high: float) -> str:
+    """A number with its interval, such as 0.965 (0.918 to 0.983), as `format_estimate`."""
+    middle, *ends = format_estimate(value, low, high)
+    return f"{middle} ({' to '.join(ends)})"

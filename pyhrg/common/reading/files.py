@@ -12,20 +12,25 @@ from pyhrg.common.errors import HrgError
 from pyhrg.common.reading.failures import refuse_unreadable
 from pyhrg.common.reading.limits import LOG_BYTES, check_size, compute_expanded_limit
 
+WITHOUT_WAITING = getattr(os, "O_NONBLOCK", 0)
+"""Flag of opening without waiting for a pipe's writer; 0 on Windows, which has none."""
 GZIPPED = b"\x1f\x8b"
 """First bytes of gzipped data."""
+SPREADSHEETS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")
+"""First bytes of a spreadsheet's file: of Excel and LibreOffice, new and old."""
 
 
 def open_file(path: Path, error_class: type[HrgError] = HrgError) -> BinaryIO:
     """A file or a pipe, opened for reading."""
     with refuse_unreadable(path, "file", error_class), ExitStack() as stack:
         # without waiting: a pipe that nobody writes to is empty
-        handle = os.open(path, os.O_RDONLY | os.O_NONBLOCK)
+        handle = os.open(path, os.O_RDONLY | WITHOUT_WAITING | getattr(os, "O_BINARY", 0))
         file = stack.enter_context(os.fdopen(handle, "rb"))
         kind = os.fstat(handle).st_mode
         if not (stat.S_ISREG(kind) or stat.S_ISFIFO(kind)):
             raise error_class(f"{path}: found a device, expected a file")
-        os.set_blocking(handle, True)
+        if WITHOUT_WAITING:
+            os.set_blocking(handle, True)
         stack.pop_all()
         return file
 
@@ -42,6 +47,10 @@ def read_bytes(path: Path, most: int, error_class: type[HrgError] = HrgError) ->
 def read_unpacked(path: Path, error_class: type[HrgError] = HrgError) -> bytes:
     """A log's bytes, decompressed if they are gzipped, whatever the file's name."""
     data = read_bytes(path, LOG_BYTES, error_class)
+    if data.startswith(SPREADSHEETS):
+        raise error_class(
+            f"{path}: found a spreadsheet (Excel) or an archive; save the sheet as CSV"
+        )
     if not data.startswith(GZIPPED):
         return data
     most = min(LOG_BYTES, compute_expanded_limit(len(data)))

@@ -4,7 +4,7 @@ import html
 from collections.abc import Sequence
 
 from pyhrg.common.pages.markup import make_paragraph
-from pyhrg.common.pages.svg import format_number
+from pyhrg.common.pages.svg import format_interval, format_number
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.effects.design import Group
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
@@ -14,7 +14,6 @@ from pyhrg.gap.report.words import (
     format_effect,
     format_group,
     format_percent,
-    format_value,
     parse_parameter,
     read_told_value,
     show_share,
@@ -49,7 +48,7 @@ def _make_rows(cause: Cause, result: CampaignDiagnosis) -> list[tuple[str, ...]]
         words, unit, scale = parse_parameter(name)
         nominal = scale * read_told_value(result.nominal, name)
         low, high = (scale * end for end in cause.interval_95[name])
-        text = format_value(scale * value, low, high)
+        text = format_interval(scale * value, low, high)
         equivalents = ", ".join(format_effect(e) for e in cause.equivalents) or "–"
         effect = (f"<b>{format_effect(cause.effect)}</b>", format_percent(cause.probability))
         lead, last = (effect, equivalents) if i == 0 else (("", ""), "")

@@ -3,10 +3,10 @@
 import numpy as np
 
 from pyhrg.common.pages.markup import make_paragraph
-from pyhrg.common.pages.svg import Scale, find_decades, format_number
+from pyhrg.common.pages.svg import Scale, find_decades, format_interval, format_number
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.findings.diagnosis import Gap, GapFigure
-from pyhrg.gap.report.words import build_table, format_interval
+from pyhrg.gap.report.words import build_table
 
 WIDTH = 240
 """Width of a drawn scale, px."""

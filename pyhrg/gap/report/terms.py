@@ -3,7 +3,7 @@
 import html
 
 from pyhrg.common.pages.markup import make_paragraph
-from pyhrg.common.pages.svg import format_number
+from pyhrg.common.pages.svg import format_interval, format_number
 from pyhrg.gap.closing.equation.proposal import Coefficient, as_candidate, list_coefficients
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.findings.term import Term
@@ -13,7 +13,6 @@ from pyhrg.gap.report.words import (
     build_table,
     format_percent,
     format_term_unit,
-    format_value,
     join_words,
 )
 
@@ -54,7 +53,7 @@ def name_term(term: Term) -> str:
 
 def _format_value(term: Term, coefficient: Coefficient) -> str:
     name = coefficient.name
-    return format_value(term.parameters[name], *term.interval_95[name])
+    return format_interval(term.parameters[name], *term.interval_95[name])
 
 
 def describe_class(term: Term) -> str:

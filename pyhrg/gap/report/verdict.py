@@ -2,7 +2,7 @@
 
 import textwrap
 
-from pyhrg.common.pages.svg import format_number
+from pyhrg.common.pages.svg import format_interval, format_number
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, GapFigure, KnownValue
 from pyhrg.gap.report.closing import describe_closing
@@ -13,10 +13,8 @@ from pyhrg.gap.report.words import (
     CHANNELS,
     COORDINATES,
     format_effect,
-    format_interval,
     format_name,
     format_percent,
-    format_value,
     join_words,
     parse_parameter,
     read_told_value,
@@ -177,7 +175,7 @@ def _say_what_next(diagnosis: Diagnosis) -> list[str]:
 def _describe_known(known: KnownValue) -> str:
     words, unit, scale = parse_parameter(known.parameter)
     low, high = (scale * end for end in known.interval_95)
-    value = format_value(scale * known.value, low, high)
+    value = format_interval(scale * known.value, low, high)
     label = f"{format_effect(known.name)}: {_label(words, known.name)}"
     told = format_number(scale * known.told)
     return f"Within its tolerance: {label}{value} {unit}, not {told}."
@@ -197,7 +195,7 @@ def _describe_cause(cause: Cause, result: CampaignDiagnosis) -> str:
         label = _label(words, cause.effect)
         told = scale * read_told_value(result.nominal, name)
         instead = f", not {format_number(told)}" if told else ""
-        number = f"{format_value(scale * value, low, high)} {unit}".rstrip()
+        number = f"{format_interval(scale * value, low, high)} {unit}".rstrip()
         values.append(f"{label}{number}{instead}")
     return f"{_begin(format_effect(cause.effect))}: {'; '.join(values)}."
 

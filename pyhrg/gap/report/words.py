@@ -1,11 +1,9 @@
 """Names, numbers and tables as the page shows them."""
 
 import html
-import math
 import re
 from collections.abc import Sequence
 
-from pyhrg.common.pages.svg import format_number
 from pyhrg.device.device import Device
 from pyhrg.device.keys import KEYS
 from pyhrg.gap.effects.catalogue import Effect
@@ -138,24 +136,6 @@ def read_told_value(nominal: Device, parameter: str) -> float:
         return SOUND_VALUES[parameter]
     key = next(key for key in KEYS if key.name == parameter)
     return key.from_si(getattr(nominal, key.field))
-
-
-def format_value(value: float, low: float, high: float) -> str:
-    """A value and its interval, to two digits of the interval's width; an exact one alone."""
-    width = high - low
-    if not width:
-        return format_number(value)
-    if not (math.isfinite(width) and width > 0):
-        return format_interval(value, low, high)
-    largest = max(abs(low), abs(high), abs(value))
-    digits = min(max(math.ceil(math.log10(largest / width)) + 2, 3), 9)
-    texts = [f"{v:.{digits}g}".replace("-", "−") for v in (value, low, high)]
-    return f"{texts[0]} ({texts[1]} to {texts[2]})"
-
-
-def format_interval(value: float, low: float, high: float) -> str:
-    """A value and its interval, to three digits."""
-    return f"{format_number(value)} ({format_number(low)} to {format_number(high)})"
 
 
 def format_percent(share: float) -> str:

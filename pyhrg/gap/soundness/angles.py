@@ -16,7 +16,6 @@ from pyhrg.gap.soundness.exclusion import (
     Exclusion,
     NominalEstimate,
     exclude_columns,
-    has_values,
 )
 from pyhrg.records import Log
 
@@ -44,7 +43,7 @@ ANGLES = ("table_angle", "gyro_angle", "wave_angle")
 def check_angles(log: Log, nominal: Device) -> list[Exclusion]:
     """Exclude angles that contradict each other."""
     exclusions = []
-    if has_values(log, "wave_angle", "gyro_angle"):
+    if log.has_values("wave_angle", "gyro_angle"):
         exclusions = _check_wave(log, nominal)
     if exclusions and exclusions[0].rows is None:
         return exclusions
@@ -58,7 +57,7 @@ def find_column_orders(log: Log, nominal: Device) -> dict[str, float]:
     empty if a column is missing.
     """
     fits: dict[str, float] = {}
-    if not has_values(log, *ANGLES):
+    if not log.has_values(*ANGLES):
         return fits
     k = nominal.bryan_factor
     for order in itertools.permutations(ANGLES):
@@ -155,8 +154,8 @@ def _check_table(log: Log, nominal: Device) -> list[Exclusion]:
     """Exclude all angles if gyro and table differ by more than any error of a gyro."""
     k = nominal.bryan_factor
     gyro = log.gyro_angle
-    if not has_values(log, "gyro_angle"):
-        if not has_values(log, "wave_angle"):
+    if not log.has_values("gyro_angle"):
+        if not log.has_values("wave_angle"):
             return []
         gyro = _compute_rotation(log, log.wave_angle / k)
     if not _contradicts_table(log, gyro, log.table_angle):

@@ -11,7 +11,6 @@ from pyhrg.gap.soundness.exclusion import (
     Exclusion,
     NominalEstimate,
     exclude_columns,
-    has_values,
 )
 from pyhrg.records import Log
 
@@ -41,7 +40,7 @@ about twice that of fused silica, 8.5e-5."""
 
 def check_attitude(log: Log, kind: str, nominal: Device) -> list[Exclusion]:
     """Exclude specific force that is not gravity, or that contradicts `axis_up`."""
-    if kind not in TURNTABLE_KINDS or not has_values(log, *ACCELERATIONS):
+    if kind not in TURNTABLE_KINDS or not log.has_values(*ACCELERATIONS):
         return []
     gravity = nominal.site.gravity
     force = np.stack([getattr(log, field) for field in ACCELERATIONS])
@@ -49,7 +48,7 @@ def check_attitude(log: Log, kind: str, nominal: Device) -> list[Exclusion]:
     if abs(size / gravity - 1) > GRAVITY_TOLERANCE:
         trouble = f"{size:.4g} m/s2 in all; expected {gravity:.4g}"
         return [exclude_columns(log, ACCELERATIONS, trouble)]
-    if not has_values(log, "axis_up") or _agrees(force[2] / gravity, log.axis_up):
+    if not log.has_values("axis_up") or _agrees(force[2] / gravity, log.axis_up):
         return []
     along_z = np.nanmedian(force[2])
     trouble = f"{along_z:.4g} m/s2 along z; expected axis_up times gravity, "
@@ -62,7 +61,7 @@ def check_attitude(log: Log, kind: str, nominal: Device) -> list[Exclusion]:
 
 def check_temperature(log: Log, nominal: Device) -> list[Exclusion]:
     """Exclude a temperature that contradicts a loop frequency which is near its nominal value."""
-    if not nominal.frequency_per_kelvin or not has_values(log, "temperature", "frequency_offset"):
+    if not nominal.frequency_per_kelvin or not log.has_values("temperature", "frequency_offset"):
         return []
     change = float(np.nanmedian(log.temperature)) - nominal.reference_temperature
     offset = float(np.nanmedian(log.frequency_offset)) / nominal.frequency
@@ -78,10 +77,10 @@ def check_temperature(log: Log, nominal: Device) -> list[Exclusion]:
 
 def estimate_frequency(log: Log, nominal: Device) -> list[NominalEstimate]:
     """Estimate of the nominal frequency: the loop's, without what the temperature explains."""
-    if not has_values(log, "frequency_offset"):
+    if not log.has_values("frequency_offset"):
         return []
     change = np.zeros(len(log.time))
-    if has_values(log, "temperature"):
+    if log.has_values("temperature"):
         change = log.temperature - nominal.reference_temperature
     stated = nominal.frequency_per_kelvin
     spread = COEFFICIENT_TOLERANCE * abs(stated) if stated else UNSTATED_COEFFICIENT

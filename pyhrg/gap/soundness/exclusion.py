@@ -84,8 +84,3 @@ def find_runs(chosen: NDArray[np.bool_]) -> list[tuple[int, int]]:
     """First row of each run of chosen rows, and the row after its last."""
     edges = np.flatnonzero(np.diff(np.concatenate([[0], chosen.astype(np.int8), [0]]))).tolist()
     return list(zip(edges[::2], edges[1::2], strict=True))
-
-
-def has_values(log: Log, *fields: str) -> bool:
-    """Whether a log has values in all these fields."""
-    return all(bool(np.isfinite(getattr(log, field)).any()) for field in fields)

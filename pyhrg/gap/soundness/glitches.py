@@ -20,7 +20,6 @@ from pyhrg.gap.soundness.angles import compute_departure
 from pyhrg.gap.soundness.exclusion import (
     Array,
     Exclusion,
-    has_values,
     replace_columns,
 )
 from pyhrg.gap.soundness.inputs import CONTINUOUS_INPUTS
@@ -77,7 +76,7 @@ def mend_inputs(log: Log) -> tuple[Log, list[str]]:
 def check_glitches(log: Log, nominal: Device) -> list[Exclusion]:
     """Exclude glitches of the gyro's outputs in a log of complete inputs, in rows with settled
     loops and a steady table."""
-    if not has_values(log, "gyro_angle", "wave_angle"):
+    if not log.has_values("gyro_angle", "wave_angle"):
         return []
     inputs = prepare_inputs(log, nominal)
     changed = find_command_changes(log) | find_table_acceleration(inputs)

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.reading_noise import estimate_scatter
 from pyhrg.gap.soundness.attitude import ACCELERATIONS
-from pyhrg.gap.soundness.exclusion import Array, find_runs, has_values, replace_columns
+from pyhrg.gap.soundness.exclusion import Array, find_runs, replace_columns
 from pyhrg.records import COLUMNS, Log, LogError
-from pyhrg.records.columns import BY_FIELD
+from pyhrg.records.missing_inputs import add_missing_inputs
 
 MAX_MISSING_AT_START = 0.01
 """Largest share of rows that may be missing before the first one. Chosen."""
@@ -48,7 +48,7 @@ def complete_inputs(log: Log, nominal: Device) -> CompleteInputs:
     A missing column is that of a gyro at rest. Missing rows are filled where the table kept its
     rate and no command changed; elsewhere the log is cut. Outputs of filled rows are NaN.
     """
-    log, notes = _add_missing_columns(log, nominal)
+    log, notes = add_missing_inputs(log, nominal)
     log, missing = _place_on_grid(log)
     cut, trouble = _find_cut(log, missing)
     if trouble:
@@ -65,33 +65,6 @@ def complete_inputs(log: Log, nominal: Device) -> CompleteInputs:
         log = _fill_inputs(log, known)
         notes.append(f"{log.source}: {np.sum(missing)} missing rows: inputs filled in, outputs not")
     return CompleteInputs(log, missing, notes)
-
-
-def _add_missing_columns(log: Log, nominal: Device) -> tuple[Log, list[str]]:
-    """Missing input columns as on a gyro at rest, and a sentence that names them."""
-    if not has_values(log, "axis_up"):
-        if not has_values(log, "acceleration_z"):
-            raise LogError(f"{log.source}: columns axis_up and accel_z_m_s2 missing; expected one")
-        up = np.clip(np.round(log.acceleration_z / nominal.site.gravity, 2), -1, 1)
-        with_up, notes = _add_missing_columns(replace(log, axis_up=up), nominal)
-        return with_up, [f"{log.source}: axis_up: missing, taken from accel_z_m_s2", *notes]
-    ones = np.ones(len(log.time))
-    level = nominal.site.gravity * np.sqrt(np.clip(1 - log.axis_up**2, 0, None))
-    defaults = {
-        "table_angle": 0 * ones,
-        "virtual_rotation": 0 * ones,
-        "amplitude_setpoint": nominal.amplitude * ones,
-        "phase_offset": 0 * ones,
-        "drive_on": ones,
-        "temperature": nominal.reference_temperature * ones,
-        "acceleration_x": level,
-        "acceleration_y": 0 * ones,
-        "acceleration_z": nominal.site.gravity * log.axis_up,
-    }
-    added = {field: values for field, values in defaults.items() if not has_values(log, field)}
-    names = ", ".join(BY_FIELD[field].name for field in added)
-    notes = [f"{log.source}: {names}: missing, taken as on a gyro at rest"] if added else []
-    return replace_columns(log, added), notes
 
 
 def _place_on_grid(log: Log) -> tuple[Log, NDArray[np.bool_]]:

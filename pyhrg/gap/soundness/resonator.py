@@ -11,7 +11,6 @@ from pyhrg.gap.soundness.exclusion import (
     NominalEstimate,
     exclude_columns,
     find_runs,
-    has_values,
 )
 from pyhrg.records import Log
 
@@ -30,7 +29,7 @@ MIN_RING_DOWN = 50.0
 def check_amplitude(log: Log) -> list[Exclusion]:
     """Exclude an amplitude that is not at its set point."""
     driven = (log.drive_on == 1) & (log.amplitude_setpoint > 0)
-    if not has_values(log, "amplitude") or not np.isfinite(log.amplitude[driven]).any():
+    if not log.has_values("amplitude") or not np.isfinite(log.amplitude[driven]).any():
         return []
     share = float(np.nanmedian(log.amplitude[driven] / log.amplitude_setpoint[driven]))
     if abs(share - 1) <= AMPLITUDE_TOLERANCE:

@@ -16,7 +16,6 @@ from pyhrg.gap.soundness.exclusion import (
     Exclusion,
     NominalEstimate,
     apply_exclusions,
-    has_values,
 )
 from pyhrg.gap.soundness.fault import Fault, LogFaults, sum_log_faults
 from pyhrg.gap.soundness.glitches import check_glitches, mend_inputs
@@ -88,7 +87,7 @@ class ScreenedTest:
     def is_usable(self) -> bool:
         """Whether an angle of the gyro is left."""
         log = self.usable.log
-        return has_values(log, "gyro_angle") or has_values(log, "wave_angle")
+        return log.has_values("gyro_angle") or log.has_values("wave_angle")
 
 
 def screen_campaign(campaign: Campaign) -> Screening:

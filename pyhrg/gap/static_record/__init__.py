@@ -4,7 +4,7 @@ the sensor should have, with a tolerance. The method is in docs/methods/noise.md
 from pyhrg.gap.static_record.belief import Belief, BeliefError
 from pyhrg.gap.static_record.record import RecordError, StaticRecord
 from pyhrg.gap.static_record.result import RecordDiagnosis
-from pyhrg.gap.static_record.run import diagnose_record
+from pyhrg.gap.static_record.run import compute_allan, diagnose_record
 
 __all__ = [
     "Belief",
@@ -12,5 +12,6 @@ __all__ = [
     "RecordDiagnosis",
     "RecordError",
     "StaticRecord",
+    "compute_allan",
     "diagnose_record",
 ]

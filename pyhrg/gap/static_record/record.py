@@ -11,6 +11,7 @@ from pyhrg.common.reading.files import read_unpacked
 from pyhrg.gap.static_record.terms import ACCELEROMETER, GYRO, Kind
 from pyhrg.records import Log, read_log
 from pyhrg.records.imu import recorded
+from pyhrg.records.missing_inputs import turns
 
 Array = NDArray[np.float64]
 
@@ -35,6 +36,7 @@ class Channel:
     temperature: (n,) K; None where it was not logged.
     quantum: quantization step of the readings, SI; None where they lie on no grid.
     may_drift: whether a ramp of the rate is expected, so that it is no gap.
+    mean: of the sensed quantity over all readings, SI; `angle` is without it.
     """
 
     name: str
@@ -44,6 +46,7 @@ class Channel:
     temperature: Array | None = None
     quantum: float | None = None
     may_drift: bool = False
+    mean: float = 0.0
 
     def part(self, first: int, last: int) -> "Channel":
         """The channel with readings first to last - 1."""
@@ -106,14 +109,20 @@ def channel_from_increments(
         raise RecordError(f"{name}: reading {row}: found {increments[row]}, expected a number")
     if np.ptp(increments) == 0:
         raise RecordError(f"{name}: found {increments[0]:g} in all readings, expected noise")
-    angle = np.cumsum(increments - np.mean(increments))
-    return Channel(name, kind, interval, angle, temperature, find_quantization_step(increments))
+    mean = float(np.mean(increments))
+    quantum = find_quantization_step(increments)
+    angle = np.cumsum(increments - mean)
+    return Channel(name, kind, interval, angle, temperature, quantum, mean=mean / interval)
 
 
 def _take_bench_log(log: Log) -> StaticRecord:
     """The output angle of a bench log less the turntable's angle, over its longest stretch without
     gaps. The pattern creeps over the gyro's bias map at Earth's rate, so a rate ramp is expected.
     """
+    if not (log.has_values("table_angle") or turns(log)):
+        note = "table_angle_deg: missing, taken as on a gyro at rest"
+        at_rest = np.zeros(len(log.time))
+        log = replace(log, table_angle=at_rest, exclusions=(*log.exclusions, note))
     stretch = max(log.stretches("gyro_angle", "table_angle"), key=lambda s: s.stop - s.start)
     angle = (log.gyro_angle - log.table_angle)[stretch]
     temperature = log.temperature[stretch]

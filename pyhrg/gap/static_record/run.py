@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from pathlib import Path
 
+from pyhrg.gap.static_record.allan import RecordNoise, measure_noise
 from pyhrg.gap.static_record.belief import Belief, BeliefError, read_beliefs
 from pyhrg.gap.static_record.fit.diagnosis import diagnose_channel
 from pyhrg.gap.static_record.fit.hypotheses import FALSE_ALARMS
@@ -45,6 +46,29 @@ def diagnose_record(
 
         write_record_report(result, Path(out))
     return result
+
+
+def compute_allan(
+    record: Path | str, *, trusted: bool = False, out: Path | str | None = None
+) -> RecordNoise:
+    """Bias, Allan deviation and noise coefficients (IEEE Std 952) of a record at rest.
+
+    Args:
+        record: file of an IMU's log (docs/imus.md) or of a bench log (docs/records.md).
+        trusted: as in `diagnose_record`.
+        out: folder that `allan.json`, `allan.csv` and `report.html` are written to.
+
+    Raises:
+        LogError, RecordError: the file can't be used.
+        NoiseError: a channel has no noise.
+        OSError: the folder can't be written.
+    """
+    noise = measure_noise(read_static_record(Path(record), trusted))
+    if out is not None:
+        from pyhrg.gap.static_record.report.allan_page import write_noise_report
+
+        write_noise_report(noise, Path(out))
+    return noise
 
 
 def _compare_with_beliefs(

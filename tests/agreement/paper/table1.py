@@ -37,8 +37,8 @@ def _measure(name: str, device: Device) -> dict[str, float]:
     findings["room_repeatability"] = room.finding("bias repeatability")
     found = {}
     for key, finding in findings.items():
-        low, high = finding.interval_in_unit
-        found[f"{name}_{key}"] = finding.value_in_unit
+        low, high = finding.interval
+        found[f"{name}_{key}"] = finding.value
         if key.endswith("repeatability"):
             found |= {f"{name}_{key}_low": low, f"{name}_{key}_high": high}
     return found

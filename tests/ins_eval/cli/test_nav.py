@@ -56,6 +56,23 @@ def test_tables_and_document_say_the_same(tmp_path: Path) -> None:
     np.testing.assert_allclose(shares["north_contribution_m"], parts["north_contribution_m"])
 
 
+def test_another_flight_in_the_folder_is_kept_unless_forced(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    nav(tmp_path, *UNALIGNED)
+    before = (tmp_path / "nav.json").read_bytes()
+    arguments = ["nav", "--out", str(tmp_path), *UNALIGNED]
+    for other, differs in (
+        (["--seed", "2"], "seed: found 1, expected 2"),
+        (["--imu", "ideal"], "imu: found 'simple IMU', expected 'ideal IMU'"),
+    ):
+        assert main([*arguments, *other]) == 2
+        assert f"nav.json: another run: {differs}" in capsys.readouterr().err
+    assert (tmp_path / "nav.json").read_bytes() == before
+    assert nav(tmp_path, *UNALIGNED) == json.loads(before)
+    assert nav(tmp_path, *UNALIGNED, "--seed", "2", "--force")["seed"] == 2
+
+
 def test_budget_sums_to_the_flown_error(tmp_path: Path) -> None:
     document = nav(tmp_path, *BRIEF)
     end = document["at_the_end"]
@@ -160,7 +177,7 @@ def test_recorded_ring_laser_drifts(tmp_path: Path) -> None:
         (["--rate-hz", "2000", "--hours", "2"], "at 2000 Hz, 14400000 increments; expected at"),
         (["--samples", "5"], "samples: found 5, expected a whole number from 2 to 4"),
         (["--runs", "0"], "runs: found 0, expected a whole number from 1 to 1000"),
-        (["--height", "up"], "argument --height: invalid choice: 'up'"),
+        (["--height", "up"], "argument --height: found 'up', expected one of clamped, "),
         (["--align-s", "x"], "argument --align-s: invalid float value: 'x'"),
         (["--align-s", "60", "--start-from-truth"], "not allowed with argument"),
         (["--trajectory", "nowhere"], "nowhere: found no such mission, expected aircraft, "),

@@ -88,7 +88,7 @@ def test_again_is_told_without_work(folder: Path, capsys: pytest.CaptureFixture[
         (["--hours", "nan"], "hours: found nan, expected a number"),
         (["--hours", "1e9"], "hours: found 1e+09, expected a number"),
         (["--triads", "5"], "triads: found 5, expected a whole number from 36 to 1000000"),
-        (["--calibration", "best"], "--calibration: invalid choice: 'best'"),
+        (["--calibration", "best"], "--calibration: found 'best', expected one of mean, map"),
         (["--trajectory", "nowhere.csv"], "nowhere.csv: can't be read: No such file"),
         (["--trajectory", "nowhere"], "nowhere: found no such mission, expected aircraft, "),
         (["--trajectory", "weaving"], "weaving"),

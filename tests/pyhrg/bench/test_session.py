@@ -15,6 +15,7 @@ from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.reporting.result import COLUMNS, TestResult
 from pyhrg.bench.session import list_tests, run_test, run_tests
 from pyhrg.common.errors import HrgError
+from pyhrg.common.units import DEG_PER_H
 from pyhrg.device.ready_devices import TYPICAL
 from tests.pyhrg.bench.quick import PROCEDURES, RUNS
 
@@ -60,6 +61,14 @@ def test_findings_are_those_of_the_file(result: TestResult, tmp_path: Path) -> N
     assert result.verdict == document["verdict"]
     assert document["seed"] == 7
     assert {path.suffix for path in (tmp_path / "out").iterdir()} == {".json", ".png", ".gz"}
+
+
+def test_a_finding_is_in_the_unit_that_it_names(result: TestResult) -> None:
+    for finding, (_, row) in zip(result.outcome.findings, result.findings.iterrows(), strict=True):
+        assert finding.unit == "deg/h"
+        assert finding.value == row["value"]
+        assert finding.interval == (row["low_95"], row["high_95"])
+        assert finding.si_value == finding.value * DEG_PER_H
 
 
 def test_rows_are_numbers(result: TestResult) -> None:

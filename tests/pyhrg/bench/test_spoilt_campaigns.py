@@ -127,9 +127,9 @@ def test_an_exclusion_is_stated_and_figures_stay_right(
     assert right.exclusions == ()
     assert [f.name for f in outcome.findings] == [f.name for f in right.findings]
     for finding, expected in zip(outcome.findings, right.findings, strict=True):
-        if math.isfinite(finding.low):
-            assert finding.low <= expected.value <= finding.high, finding.name
-        assert finding.value == pytest.approx(expected.value, rel=0.2, abs=1e-9), finding.name
+        if math.isfinite(finding.si_low):
+            assert finding.si_low <= expected.si_value <= finding.si_high, finding.name
+        assert finding.si_value == pytest.approx(expected.si_value, rel=0.2, abs=1e-9), finding.name
 
 
 REFUSED = {
@@ -194,7 +194,7 @@ def test_lost_position_does_not_shift_the_mean(intact: Path, tmp_path: Path, num
     for name in ("bias", "bias stability"):
         expected = right.finding(name)
         assert outcome.finding(name).n == RUNS - 1
-        assert outcome.finding(name).low <= expected.value <= outcome.finding(name).high
+        assert outcome.finding(name).si_low <= expected.si_value <= outcome.finding(name).si_high
 
 
 def test_all_positions_lost_alike_are_refused(intact: Path, tmp_path: Path) -> None:

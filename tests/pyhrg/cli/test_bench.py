@@ -1,51 +1,20 @@
 """`hrg bench` from the command line, with short tests in the place of the real ones."""
 
 import json
+import re
 from html.parser import HTMLParser
 from importlib.metadata import version
 from pathlib import Path
 
 import pytest
 
-from pyhrg.bench import catalogue
-from pyhrg.common.cli import main
 from tests.pyhrg.bench.quick import PROCEDURES, RUNS
+from tests.pyhrg.cli.bench_runs import contents, device, hrg
 
 VOID = {"meta", "img"}
 
 
-@pytest.fixture(autouse=True)
-def _short_tests(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(catalogue, "PROCEDURES", PROCEDURES)
-
-
-def hrg(*arguments: object) -> int:
-    """Exit status of `hrg bench`."""
-    try:
-        return main(["bench", *map(str, arguments)])
-    except SystemExit as stop:
-        return int(str(stop.code))
-
-
-def contents(folder: Path) -> dict[str, bytes]:
-    files = (path for path in folder.rglob("*") if path.is_file())
-    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in files}
-
-
-def device(folder: Path, text: str) -> Path:
-    path = folder / "gyro.toml"
-    path.write_text(text)
-    return path
-
-
-@pytest.fixture(scope="module")
-def done(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Results of all tests."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(catalogue, "PROCEDURES", PROCEDURES)
-        out = tmp_path_factory.mktemp("bench") / "all"
-        assert hrg("all", "--out", out, "--seed", 7, "--workers", 1) == 0
-    return out
+pytestmark = pytest.mark.usefixtures("short_tests")
 
 
 class Page(HTMLParser):
@@ -86,8 +55,10 @@ def test_files_are_what_the_command_promises(done: Path) -> None:
 def test_result_reads_back(done: Path) -> None:
     document = json.loads((done / "full-circumference" / "result.json").read_text())
     assert document["schema"] == "hrg-bench/1"
-    assert document["hrg"] == version("hrg")
+    assert document["made_by"]["hrg"] == version("hrg")
     assert document["seed"] == 7
+    assert document["device"] == "typical"
+    assert re.fullmatch(r"[0-9a-f]{32}", document["device_sha256"])
     stability = document["findings"]["bias_stability_deg_per_h"]
     low, high = stability["interval_95"]
     assert low < stability["value"] < high
@@ -129,16 +100,11 @@ def test_another_seed_gives_other_numbers(done: Path, tmp_path: Path) -> None:
 
 def test_results_of_other_tests_stay(tmp_path: Path) -> None:
     assert hrg("full-circumference", "--out", tmp_path) == 0
-    (tmp_path / "fixed-position").mkdir()
-    (tmp_path / "fixed-position" / "result.json").write_text("earlier")
     (tmp_path / "notes.txt").write_text("mine")
     before = contents(tmp_path)
     assert hrg("fixed-position", "--out", tmp_path) == 0
     after = contents(tmp_path)
-    assert {name for name in before if before[name] != after[name]} == {
-        "report.html",
-        "fixed-position/result.json",
-    }
+    assert {name for name in before if before[name] != after[name]} == {"report.html"}
 
 
 def test_recorded_logs_give_what_the_simulated_ones_gave(done: Path, tmp_path: Path) -> None:
@@ -185,7 +151,8 @@ def test_specification(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["no-such-test"], "argument TEST: invalid choice: 'no-such-test' (choose from"),
+        (["qwertz"], "argument TEST: found 'qwertz', expected one of fixed-position, full-"),
+        (["fixed-postion"], "argument TEST: found 'fixed-postion', expected fixed-position\n"),
         (
             ["fixed-position", "--seed", "-1"],
             "seed: found -1, expected a whole number from 0 to 2^63",
@@ -201,6 +168,7 @@ def test_specification(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
         (["fixed-position", "--campaign", "none"], "campaign.json: can't be read: "),
         (["fixed-position", "--device", "a", "--campaign", "b"], "not allowed with argument"),
         (["fixed-position", "--bogus"], "unrecognized arguments: --bogus"),
+        (["fixed-position", "--devise=typical"], "bench: found --devise, expected --device\n"),
         ([], "the following arguments are required: TEST"),
     ],
 )

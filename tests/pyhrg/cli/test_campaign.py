@@ -1,13 +1,19 @@
 """`hrg campaign import`, as documented."""
 
 import re
+import tomllib
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
+import pandas as pd
 import pytest
 
+from pyhrg import run_test
 from pyhrg.common.cli import main
+from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG
-from pyhrg.records import campaign
+from pyhrg.records import LogError, campaign
 
 PAGE = Path(__file__).parents[3] / "docs" / "import.md"
 
@@ -79,5 +85,90 @@ def test_what_a_diagnosis_would_refuse_is_said(
     turned = mapping.read_text().replace('"mrad"', '"mrad", scale = -1')
     mapping.write_text(turned)
     assert run(mapping, "--check") == 0
-    said = capsys.readouterr().out.splitlines()[-1]
-    assert said.startswith("a diagnosis would refuse it: 1 of 1 logs, as table.csv: columns gyro")
+    said = capsys.readouterr().out
+    assert "\na diagnosis would refuse it: 1 of 1 logs, as table.csv: columns gyro" in said
+
+
+def test_a_log_with_the_gyros_columns_alone_is_imported_and_benched(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A static record of two hours, and the same under a kind that no test reads."""
+    seconds = np.arange(1.0, 7201.0)
+    angle = np.degrees(EARTH_RATE * np.sin(39.9 * DEG) * seconds)
+    angle += np.random.default_rng(1).normal(0, 1e-6, len(seconds))
+    frame = pd.DataFrame({"t": seconds, "gyro": angle, "pattern": -0.277 * angle})
+    frame.to_csv(tmp_path / "log.csv", index=False)
+    entry = """
+[[tests]]
+id = "{kind}"
+kind = "{kind}"
+role = "fit"
+file = "log.csv"
+"""
+    columns = """
+[columns]
+time = { column = "t", unit = "s" }
+axis_up = 1
+gyro_angle = { column = "gyro", unit = "deg" }
+wave_angle = { column = "pattern", unit = "deg" }
+"""
+    head = re.sub(r"\[layout\].*", "", block("toml"), flags=re.DOTALL)
+    text = head + columns + entry.format(kind="static") + entry.format(kind="drehrate")
+    (tmp_path / "mapping.toml").write_text(text)
+    assert run(tmp_path / "mapping.toml", "--check") == 0
+    said = capsys.readouterr().out
+    assert "the bench can run: fixed-position, random-walk\n  not self-calibration: " in said
+    assert "drehrate: no bench test reads the kind drehrate; expected one such as rate" in said
+    assert run(tmp_path / "mapping.toml", "--out", tmp_path / "campaign") == 0
+    result = run_test("fixed-position", campaign=tmp_path / "campaign")
+    assert any("table_angle_deg, virtual_rotation_deg_s" in x for x in result.outcome.exclusions)
+    assert abs(result.findings.value["bias_deg_per_h"]) < 1e-3
+
+
+def test_a_draft_of_guesses_is_accepted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    rows = [f"{t};{0.003 * t:.4f};{-0.8 * 0.003 * t:.4f};21;x" for t in range(1, 300)]
+    text = "\n".join(["t [s];Omega_deg;Theta (mrad);T;remark", *rows]).replace(".", ",")
+    (tmp_path / "still.csv").write_text(text)
+    (tmp_path / "rate_1.csv").write_text(text.replace("Omega_deg", "gyro_rate_deg_s"))
+    out = tmp_path / "draft" / "mapping.toml"
+    out.parent.mkdir()
+    logs = [str(tmp_path / name) for name in ("still.csv", "rate_1.csv")]
+    assert main(["campaign", "init", *logs, "--out", str(out)]) == 0
+    assert f"hrg campaign import {out} --check" in capsys.readouterr().out
+    still, rate = tomllib.loads(out.read_text())["tests"]
+    assert still["layout"] == {"separator": "semicolon", "decimal": "comma", "comment": "#"}
+    assert still["columns"]["wave_angle"] == {"column": "Theta (mrad)", "unit": "mrad"}
+    assert still["columns"]["temperature"] == {"column": "T", "unit": "degC"}
+    assert (rate["kind"], rate["columns"]["gyro_angle"]["integrate"]) == ("rate", "means")
+    assert "# not used: remark" in out.read_text()
+    assert run(out, "--check") == 0
+    assert main(["campaign", "init", *logs, "--out", str(out)]) == 2
+    assert "found a file, expected none" in capsys.readouterr().err
+
+
+def test_a_log_without_a_header_is_not_drafted(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "log.csv").write_text("1,2\n3,4\n")
+    out = tmp_path / "mapping.toml"
+    assert main(["campaign", "init", str(tmp_path / "log.csv"), "--out", str(out)]) == 2
+    assert "found no row of names above the values" in capsys.readouterr().err
+    assert not out.exists()
+
+
+def test_a_table_that_turned_is_not_taken_to_rest(recorded_campaign: Path) -> None:
+    given = campaign.read_campaign(recorded_campaign)
+    tests = [test for test in given.tests if test.kind == "ring_down"]
+    absent = [np.full(len(test.log.time), np.nan) for test in tests]
+    pairs = zip(tests, absent, strict=True)
+    spoilt = tuple(replace(t, recording=replace(t.log, table_angle=angle)) for t, angle in pairs)
+    with pytest.raises(LogError, match="column table_angle_deg is missing"):
+        run_test("ring-down", campaign=replace(given, tests=spoilt))
+
+
+def test_a_spreadsheet_is_refused_in_words(
+    mapping: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (mapping.parent / "table.csv").write_bytes(b"PK\x03\x04\x14\x00\xff")
+    assert run(mapping, "--check") == 2
+    assert "found a spreadsheet (Excel) or an archive" in capsys.readouterr().err

@@ -3,11 +3,13 @@
 import re
 import subprocess
 import sys
+import time
 from pathlib import Path
+from unittest.mock import Mock
 
 import pytest
 
-from pyhrg.common.cli import main
+from pyhrg.common.cli import main, progress_bar
 
 HEAVY = ("dask", "fmpy", "matplotlib", "numba", "numpy", "pandas", "scipy", "xarray")
 CODE = """
@@ -16,7 +18,7 @@ import sys
 print(sorted(set(sys.modules) & set({heavy!r})))
 """
 HELP = """
-from pyhrg.common.cli import main
+from pyhrg.common.cli import main, progress_bar
 try:
     main(["--help"])
 except SystemExit:
@@ -70,3 +72,29 @@ def test_numbers_are_ascii_digits(text: str, capsys: pytest.CaptureFixture[str])
             main(["validate", option, text])
         assert end.value.code == 2
         assert f"invalid {kind} value" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("interruption", "said"),
+    [
+        (KeyboardInterrupt(), "hrg: interrupted; nothing was written\n"),
+        (KeyboardInterrupt("interrupted; goes on"), "hrg: interrupted; goes on\n"),
+    ],
+)
+def test_an_interruption_is_said(
+    interruption: KeyboardInterrupt,
+    said: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setattr("pyhrg.cli.bench.run", Mock(side_effect=interruption))
+    assert main(["bench", "fixed-position"]) == 130
+    assert capsys.readouterr().err == said
+
+
+def test_no_bar_goes_into_a_pipe(capsys: pytest.CaptureFixture[str]) -> None:
+    with progress_bar("flights", "runs") as progress:
+        for done in range(3):
+            progress(done, 2)
+            time.sleep(1.1)
+    assert capsys.readouterr().err == ""

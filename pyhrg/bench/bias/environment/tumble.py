@@ -82,10 +82,10 @@ def evaluate(campaign: Campaign) -> Outcome:
 
 def _describe_verdict(result: Sensitivity) -> str:
     linear = [f for f in result.findings() if f.name in ("g bias x", "g bias y", "g bias z")]
-    sizes = [abs(f.value) for f in linear if np.isfinite(f.value)]
+    sizes = [abs(f.si_value) for f in linear if np.isfinite(f.si_value)]
     if not sizes:
         return "The positions give no sensitivity to specific force."
-    significant = [f.name[-1] for f in linear if f.low > 0 or f.high < 0]
+    significant = [f.name[-1] for f in linear if f.si_low > 0 or f.si_high < 0]
     along = f"along {', '.join(significant)}" if significant else "along no axis"
     return (
         f"Bias changes by up to {max(sizes) * STANDARD_GRAVITY / DEG_PER_H:.2g} deg/h/g, "

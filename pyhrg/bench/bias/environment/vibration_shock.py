@@ -165,15 +165,15 @@ def _describe_verdict(findings: Sequence[Finding]) -> str:
     changes = [f for f in findings if " change " in f.name]
     if not changes:
         return "The records hold pulses alone, which give no change of the bias."
-    significant = [f for f in changes if f.low > 0 or f.high < 0]
+    significant = [f for f in changes if f.si_low > 0 or f.si_high < 0]
     if not significant:
         return "No change of the bias or of its map is significant."
-    largest = max(significant, key=lambda f: abs(f.value))
+    largest = max(significant, key=lambda f: abs(f.si_value))
     term, state = largest.name.split(" change ")
     return (
         f"{len(significant)} of {len(changes)} changes are significant at 95 %, of which "
         f"{len(changes) / 20:.1g} are expected by chance; the largest is that of {term} {state}: "
-        f"{largest.value / DEG_PER_H:.2g} deg/h."
+        f"{largest.si_value / DEG_PER_H:.2g} deg/h."
     )
 
 

@@ -189,7 +189,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         maps.insert(0, estimate_mean("fourth harmonic", sizes, "deg/h", "amplitude"))
     return Outcome(
         findings=(*test.findings(), within, between, *maps),
-        verdict=_describe_verdict(test, within.value, between.value),
+        verdict=_describe_verdict(test, within.si_value, between.si_value),
         tables=(test.table(),),
         warnings=(*fitted.refused, *filter(None, [position_runs.describe_leakage(runs[0])])),
         exclusions=(*list_exclusions(tests), *exclusions),

@@ -101,7 +101,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         )
         for r in reports
     ]
-    aliased = [r.name for r, ratio in zip(reports, ratios, strict=True) if ratio.value > 2]
+    aliased = [r.name for r, ratio in zip(reports, ratios, strict=True) if ratio.si_value > 2]
     return Outcome(
         findings=(
             Finding("fourth harmonic", amplitude, "deg/h", note="amplitude A, of all runs"),

@@ -123,7 +123,7 @@ def estimate_between(name: str, runs: Sequence[Points], fits: Sequence[Fit]) -> 
     positions, within = sum(map(len, groups)), estimate_within("", runs)
     count, freedom = sum(map(len, runs)) / positions, sum(fitted.freedom for fitted in fits)
     variance = sum(float(fitted.residual @ fitted.residual) for fitted in fits) / freedom
-    noises = [(float(np.sqrt(variance)), freedom), (within.value, within.n - positions)]
+    noises = [(float(np.sqrt(variance)), freedom), (within.si_value, within.n - positions)]
     noise, noise_freedom = min(noises[: 2 if within.n else 1])
     freedoms = positions - len(runs), noise_freedom
     return estimate_excess(name, square, noise / count**0.5, freedoms, "deg/h", BETWEEN)

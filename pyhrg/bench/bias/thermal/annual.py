@@ -131,7 +131,7 @@ def _measure_scale_factor(campaign: Campaign, tests: Sequence[Test]) -> Months:
     rate = campaign.site.vertical_rate
     pairs = [pair_spins(find_spins(test.log, rate), test.log.source) for test in tests]
     months = [list(map(compute_scale_factor_error, month)) for month in pairs]
-    each, size = estimate_pooled_deviation("", months, "ppm").value, sum(map(len, months))
+    each, size = estimate_pooled_deviation("", months, "ppm").si_value, sum(map(len, months))
     noise = each * math.sqrt(len(months) / size)
     return Months(np.array([np.mean(month) for month in months]), noise, size - len(months))
 

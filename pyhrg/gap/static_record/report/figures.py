@@ -10,7 +10,8 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from pyhrg.gap.static_record.fit.diagnosis import ChannelDiagnosis
-from pyhrg.noise.allan import estimate_allan_deviation
+from pyhrg.gap.static_record.terms import Kind
+from pyhrg.noise.allan import AllanDeviation, estimate_allan_deviation
 from pyhrg.noise.coefficients import Coefficient, NoiseCoefficients, compute_allan_deviation
 from pyhrg.noise.likelihood import compute_spectrum
 
@@ -24,16 +25,32 @@ def draw_allan_deviation(d: ChannelDiagnosis) -> str:
     noise."""
     measured = estimate_allan_deviation(d.channel.angle, d.channel.interval)
     scale = d.channel.kind.rate_scale
+    figure = plot_measured_allan(measured, d.channel.kind)
 
     def model(levels: Array) -> Array:
         noise = NoiseCoefficients(*(Coefficient(x, x, x) for x in levels.tolist()))
         return compute_allan_deviation(measured.tau, noise) / scale
 
-    figure, axes = _make_axes("cluster time, s", f"Allan deviation, {d.channel.kind.rate_unit}")
+    return _finish(d, figure, measured.tau, model)
+
+
+def draw_fitted_noise(measured: AllanDeviation, noise: NoiseCoefficients, kind: Kind) -> str:
+    """Allan deviation with 95 % intervals, and that of the noise fitted to the record."""
+    figure = plot_measured_allan(measured, kind)
+    (axes,) = figure.axes
+    fitted = compute_allan_deviation(measured.tau, noise) / kind.rate_scale
+    axes.plot(measured.tau, fitted, "-", color=AFTER, label="fitted noise")
+    return _render(figure)
+
+
+def plot_measured_allan(measured: AllanDeviation, kind: Kind) -> Figure:
+    """A figure of the Allan deviation with its 95 % intervals."""
+    scale = kind.rate_scale
+    figure, axes = _make_axes("cluster time, s", f"Allan deviation, {kind.rate_unit}")
     low, high = measured.low / scale, measured.high / scale
     axes.fill_between(measured.tau, low, high, color=MEASURED, alpha=0.2, lw=0)
     axes.plot(measured.tau, measured.deviation / scale, "o", ms=3, color=MEASURED, label="measured")
-    return _finish(d, figure, measured.tau, model)
+    return figure
 
 
 def draw_spectrum(d: ChannelDiagnosis) -> str:
@@ -70,7 +87,12 @@ def _finish(d: ChannelDiagnosis, figure: Figure, x: Array, model: Callable[[Arra
     axes.plot(x, model(d.belief.levels), "--", color=BEFORE, label="as believed")
     if d.causes:
         axes.plot(x, model(d.closed), "-", color=AFTER, label="with the terms that were found")
-    axes.legend()
+    return _render(figure)
+
+
+def _render(figure: Figure) -> str:
+    """The figure as SVG, with a legend beside the curves."""
+    figure.legend(loc="outside upper center", ncols=3, frameon=False)
     buffer = io.StringIO()
     with matplotlib.rc_context({"svg.hashsalt": "hrg", "svg.fonttype": "none"}):
         figure.savefig(buffer, format="svg", metadata={"Date": None})

@@ -9,6 +9,7 @@ import tomli_w
 from pyhrg.common.files import stage_files
 from pyhrg.common.pages.markup import Table, make_paragraph, make_wide_table
 from pyhrg.common.pages.shell import make_document
+from pyhrg.common.pages.svg import format_interval
 from pyhrg.gap.static_record.belief import PERIODS, TOLERANCE_PERCENT
 from pyhrg.gap.static_record.document import build_document, round_digits
 from pyhrg.gap.static_record.fit.diagnosis import ChannelDiagnosis
@@ -120,7 +121,7 @@ def _build_causes(d: ChannelDiagnosis) -> str:
     rows = tuple(
         (
             c.term.effect.replace("_", " "),
-            f"{c.value:.4g} ({c.low:.4g} to {c.high:.4g})",
+            format_interval(c.value, c.low, c.high),
             c.term.parameter,
             f"{c.probability:.3f}",
             ", ".join(c.equivalents).replace("_", " ") or "-",

@@ -45,7 +45,7 @@ def measured(fmu: GyroFmu, device: Device, seed: int = 1) -> Campaign:
 
 def deviation(campaign: Campaign) -> float:
     """Over the circumference, deg/h."""
-    return evaluate(campaign).finding("bias stability before").value_in_unit
+    return evaluate(campaign).finding("bias stability before").value
 
 
 @pytest.fixture(scope="module")
@@ -68,24 +68,24 @@ def test_maps_of_a_noiseless_gyro(slow_fmu: GyroFmu) -> None:
     ):
         assert len(coefficients) > 5
         for finding in coefficients.values():
-            assert finding.value == pytest.approx(expected[finding.name], abs=tolerance)
+            assert finding.si_value == pytest.approx(expected[finding.name], abs=tolerance)
 
 
 def test_maps_leave_the_noise(outcome: Outcome) -> None:
     before, after = (outcome.finding(f"bias stability {x}") for x in ("before", "after"))
-    assert before.value_in_unit > 0.1
+    assert before.value > 0.1
     # noise of 100 s means, 1e-4 deg/sqrt(h) * 6, and tilt, 5e-5 of 11.5 deg/h once a turn
-    assert after.value_in_unit == pytest.approx(np.hypot(6e-4, 4.1e-4), rel=0.25)
-    assert after.high < before.low / 50
+    assert after.value == pytest.approx(np.hypot(6e-4, 4.1e-4), rel=0.25)
+    assert after.si_high < before.si_low / 50
     left = outcome.finding("scale factor variation after")
-    assert left.high < outcome.finding("scale factor variation before").low / 50
+    assert left.si_high < outcome.finding("scale factor variation before").si_low / 50
 
 
 def test_wrong_maps_make_it_worse(outcome: Outcome) -> None:
     """Those of a gyro whose axes stand at 45 deg: the fourth harmonic doubles."""
     for name in ("bias stability", "scale factor variation"):
         before, wrong = (outcome.finding(f"{name} {x}") for x in ("before", "with a wrong map"))
-        assert 1.5 * before.high < wrong.low < 2.1 * before.value
+        assert 1.5 * before.si_high < wrong.si_low < 2.1 * before.si_value
 
 
 @pytest.mark.parametrize("seed", [1, 4, 5])
@@ -122,8 +122,8 @@ def test_maps_add_to_those_applied(slow_fmu: GyroFmu) -> None:
         (first.bias_map, second.bias_map),
         (first.scale_factor_map, second.scale_factor_map),
     ):
-        largest = max(abs(f.value) for f in one.values())
-        assert max(abs(f.value) for f in other.values()) < 2e-3 * largest
+        largest = max(abs(f.si_value) for f in one.values())
+        assert max(abs(f.si_value) for f in other.values()) < 2e-3 * largest
     assert abs(second.scale_factor) < 0.02 * abs(first.scale_factor)
 
 
@@ -184,7 +184,7 @@ def test_a_perfect_gyro_has_maps_of_zero(slow_fmu: GyroFmu) -> None:
     for seed in range(8):
         found = fit_maps(measured(slow_fmu, noise, seed))
         coefficients = [*found.bias_map.values(), *found.scale_factor_map.values()]
-        inside += [f.low <= 0.0 <= f.high for f in coefficients]
+        inside += [f.si_low <= 0.0 <= f.si_high for f in coefficients]
     assert len(inside) == 104
     assert sum(inside) >= 91
 

@@ -39,8 +39,10 @@ def test_lock_rate_is_a_quarter_of_the_damping_over_the_bryan_factor(outcome: Ou
     """To 5e-6: the bias bends the turning pattern's path between rows, which falls as the square
     of the damping (3.6e-6 here, 0.9e-6 at half of it)."""
     expected = 1e-3 / (4 * CAPTURING.bryan_factor)
-    assert outcome.finding("lock rate").value == pytest.approx(expected, rel=5e-6)
-    assert outcome.finding("lock rate from mean rates").value == pytest.approx(expected, rel=2e-4)
+    assert outcome.finding("lock rate").si_value == pytest.approx(expected, rel=5e-6)
+    assert outcome.finding("lock rate from mean rates").si_value == pytest.approx(
+        expected, rel=2e-4
+    )
 
 
 def test_pattern_locks_within_and_only_within(campaign: Campaign) -> None:
@@ -56,7 +58,7 @@ def test_pattern_locks_within_and_only_within(campaign: Campaign) -> None:
 
 def test_locks_at_adlers_angle(outcome: Outcome) -> None:
     """Slowly near the edge: 0.9 W_L relaxes 2.3 times as slowly as 0."""
-    assert outcome.finding("lock angle error").value == pytest.approx(0.0, abs=0.01 * DEG)
+    assert outcome.finding("lock angle error").si_value == pytest.approx(0.0, abs=0.01 * DEG)
 
 
 def test_virtual_rotation_moves_the_dead_zone_by_itself(campaign: Campaign) -> None:
@@ -71,7 +73,7 @@ def test_compensation_gives_the_rate_of_a_pattern_that_rests(outcome: Outcome) -
     """Eq. 5: within 0.1 % of W_L; without it the error is the input itself."""
     finding = outcome.finding("rate error by compensation while locked")
     assert finding.n == 4
-    assert abs(finding.value) < 1e-3 * theory.lock_rate(CAPTURING)
+    assert abs(finding.si_value) < 1e-3 * theory.lock_rate(CAPTURING)
 
 
 def test_cancellation_lets_the_pattern_turn(campaign: Campaign) -> None:
@@ -94,8 +96,8 @@ def test_a_slow_capture_is_not_waited_for(slow_fmu: GyroFmu) -> None:
     outcome = dead_zone.evaluate(bench.campaign(tests))
     lock = outcome.finding("lock rate")
     assert len(tests) == 2
-    assert lock.value == pytest.approx(theory.lock_rate(TYPICAL), abs=0.001 * DEG_PER_H)
-    assert math.isnan(outcome.finding("lock angle error").value)
+    assert lock.si_value == pytest.approx(theory.lock_rate(TYPICAL), abs=0.001 * DEG_PER_H)
+    assert math.isnan(outcome.finding("lock angle error").si_value)
     assert "no free run shows it" in outcome.verdict
 
 
@@ -103,8 +105,8 @@ def test_no_anisotropy_no_dead_zone(slow_fmu: GyroFmu) -> None:
     bench = slow_bench(slow_fmu, TYPICAL.without_anisotropy(), seed=4)
     outcome = dead_zone.evaluate(bench.campaign(bench.run(dead_zone.plan_map_runs(bench))))
     lock = outcome.finding("lock rate")
-    assert lock.low == 0.0
-    assert lock.high < 0.001 * DEG_PER_H
+    assert lock.si_low == 0.0
+    assert lock.si_high < 0.001 * DEG_PER_H
 
 
 def test_interval_of_a_length_holds_it() -> None:

@@ -27,16 +27,16 @@ def test_force_to_rebalance_ends_at_the_drives_authority(fmu: GyroFmu) -> None:
     end = 0.1 / (2 * IDEAL.bryan_factor)
     for name in ("measuring range", "measuring range positive", "measuring range negative"):
         finding = outcome.finding(name)
-        assert finding.low <= end <= finding.high
-        assert finding.high - finding.low < 1 * DEG
+        assert finding.si_low <= end <= finding.si_high
+        assert finding.si_high - finding.si_low < 1 * DEG
 
 
 def test_whole_angle_has_no_such_end(fmu: GyroFmu) -> None:
     bench = Bench(fmu, replace(TYPICAL, model={"drive.authority": 0.1}))
     tests = measuring_range.record(bench, tuple(np.array([50.0, 500, 5700]) * DEG))
     outcome = measuring_range.evaluate(bench.campaign(tests))
-    assert outcome.finding("measuring range").value == pytest.approx(5700 * DEG)
-    assert outcome.finding("measuring range").high == np.inf
+    assert outcome.finding("measuring range").si_value == pytest.approx(5700 * DEG)
+    assert outcome.finding("measuring range").si_high == np.inf
     limits = {"measuring_range_deg_per_s": 500.0}
     assert [judgement.word for judgement in judge_findings(outcome, limits)] == ["meets"]
     assert "at least" in outcome.verdict
@@ -46,9 +46,9 @@ def test_saturated_pickoffs_leave_no_range(fmu: GyroFmu) -> None:
     bench = Bench(fmu, replace(TYPICAL, model={"pickOff.fullScale": 0.9}))
     tests = measuring_range.record(bench, tuple(np.array([50.0, 80, 100]) * DEG))
     finding = measuring_range.evaluate(bench.campaign(tests)).finding("measuring range")
-    assert finding.value == 0.0
+    assert finding.si_value == 0.0
     assert "slowest step" in finding.note
-    assert finding.high == pytest.approx(50 * DEG)
+    assert finding.si_high == pytest.approx(50 * DEG)
 
 
 def test_range_takes_three_rates(fmu: GyroFmu) -> None:
@@ -63,9 +63,9 @@ def test_two_stages_give_a_rate_within_a_second(fmu: GyroFmu) -> None:
     bench = Bench(fmu, TYPICAL)
     outcome = start_up.evaluate(bench.campaign(start_up.record(bench, duration=60.0)))
     valid, _, within, greatest = outcome.findings
-    assert valid.high < 1.0
-    assert 10 + start_up.AVERAGE - 0.5 < within.value < 10 + start_up.AVERAGE + 1.0
-    assert greatest.value >= within.value
+    assert valid.si_high < 1.0
+    assert 10 + start_up.AVERAGE - 0.5 < within.si_value < 10 + start_up.AVERAGE + 1.0
+    assert greatest.si_value >= within.si_value
 
 
 def test_without_start_up_accuracy_takes_one_average(fmu: GyroFmu) -> None:
@@ -74,8 +74,8 @@ def test_without_start_up_accuracy_takes_one_average(fmu: GyroFmu) -> None:
     bench = Bench(fmu, replace(IDEAL, model=model))
     outcome = start_up.evaluate(bench.campaign(start_up.record(bench, runs=2, duration=60.0)))
     valid, _, within, _ = outcome.findings
-    assert valid.value <= 0.02
-    assert within.value == pytest.approx(start_up.AVERAGE, abs=0.02)
+    assert valid.si_value <= 0.02
+    assert within.si_value == pytest.approx(start_up.AVERAGE, abs=0.02)
 
 
 def test_least_and_greatest_time_hold_the_median() -> None:
@@ -84,14 +84,14 @@ def test_least_and_greatest_time_hold_the_median() -> None:
     for row, most in ((1e-4, 0.984 + 0.01), (0.2, 1.0)):
         whole = np.ceil(generator.lognormal(0.0, 1.0, (2000, 7)) / row) * row
         found = [start_up.summarize_times("time", samples.tolist(), row)[0] for samples in whole]
-        inside = np.mean([finding.low <= 1.0 <= finding.high for finding in found])
+        inside = np.mean([finding.si_low <= 1.0 <= finding.si_high for finding in found])
         assert 0.984 - 0.01 <= inside <= most
 
 
 def test_five_times_give_no_interval() -> None:
     median, _ = start_up.summarize_times("time", [1.0, 1.0, 1.0, 1.0, 9.0], 0.01)
-    assert median.value == 1.0
-    assert np.isnan(median.low)
+    assert median.si_value == 1.0
+    assert np.isnan(median.si_low)
     assert "5 of at least 6" in median.note
 
 
@@ -102,7 +102,7 @@ def test_start_up_without_the_valid_column_says_so(fmu: GyroFmu) -> None:
     bare = [replace(t, recording=log) for t, log in zip(tests, logs, strict=True)]
     outcome = start_up.evaluate(bench.campaign(bare))
     assert "taken from the amplitude" in outcome.warnings[0]
-    assert outcome.findings[0].value == pytest.approx(8.0, abs=0.1)  # of 1 to 10 s, 0.1 to 1
+    assert outcome.findings[0].si_value == pytest.approx(8.0, abs=0.1)  # of 1 to 10 s, 0.1 to 1
 
 
 def test_a_short_start_up_is_refused(fmu: GyroFmu) -> None:
@@ -115,12 +115,12 @@ def test_whole_angle_output_follows_at_once(fmu: GyroFmu) -> None:
     bench = Bench(fmu, IDEAL)
     outcome = bandwidth.evaluate(bench.campaign(bandwidth.record(bench, periods=4)))
     width, delay, low, high = outcome.findings
-    assert width.high == np.inf
-    assert width.value_in_unit == pytest.approx(450)
-    assert delay.value == pytest.approx(0.0, abs=1e-8)
+    assert width.si_high == np.inf
+    assert width.value == pytest.approx(450)
+    assert delay.si_value == pytest.approx(0.0, abs=1e-8)
     expected = 1 + theory.hold_scale_factor_error(1e-3, 0.0, IDEAL.decay_time)
-    assert low.value == pytest.approx(expected, abs=2e-7)
-    assert high.value == pytest.approx(1.0, abs=1e-5)
+    assert low.si_value == pytest.approx(expected, abs=2e-7)
+    assert high.si_value == pytest.approx(1.0, abs=1e-5)
 
 
 def test_a_slow_output_has_a_bandwidth_and_a_delay(fmu: GyroFmu) -> None:
@@ -135,7 +135,7 @@ def test_a_slow_output_has_a_bandwidth_and_a_delay(fmu: GyroFmu) -> None:
     found = bandwidth.measure_response(replace(test.log, gyro_angle=slow))
     turn = np.exp(-2j * np.pi * found.frequency * step)
     np.testing.assert_allclose(found.mean, (1 - share) / (1 - share * turn), rtol=1e-2)
-    assert 50 < bandwidth.find_bandwidth(found).value_in_unit < 100
+    assert 50 < bandwidth.find_bandwidth(found).value < 100
 
 
 def test_rows_of_a_second_show_no_bandwidth(fmu: GyroFmu) -> None:

@@ -24,8 +24,8 @@ def test_an_ordinary_test_does_not_see_the_dead_zone(slow_fmu: GyroFmu) -> None:
     assert theory.lock_rate(PAPER) / DEG == pytest.approx(1e-3, rel=0.01)
     bench = slow_bench(slow_fmu, PAPER)
     outcome = threshold.evaluate(bench.campaign(threshold.record(bench, repeats=2)))
-    assert outcome.finding("threshold").value == pytest.approx(1e-5 * DEG)
-    assert outcome.finding("response to positive 0.001 deg per s").value == pytest.approx(
+    assert outcome.finding("threshold").si_value == pytest.approx(1e-5 * DEG)
+    assert outcome.finding("response to positive 0.001 deg per s").si_value == pytest.approx(
         1.0, abs=0.005
     )
     assert "not seen here" in outcome.warnings[0]
@@ -43,7 +43,7 @@ def test_long_dwells_do(slow_fmu: GyroFmu) -> None:
         if abs(response.rate) < lock:
             assert abs(response.value) < 1e-3
     finding = outcome.finding("threshold")
-    assert finding.low < 2 / np.sqrt(3) * lock < finding.high
+    assert finding.si_low < 2 / np.sqrt(3) * lock < finding.si_high
 
 
 def test_responses_are_covered(slow_fmu: GyroFmu) -> None:
@@ -62,7 +62,7 @@ def test_noise_is_no_response(slow_fmu: GyroFmu) -> None:
     noisy = replace(TYPICAL, angle_random_walk=10000 * TYPICAL.angle_random_walk)
     bench = slow_bench(slow_fmu, noisy)
     outcome = threshold.evaluate(bench.campaign(threshold.record(bench, repeats=2)))
-    assert outcome.finding("threshold").high == np.inf
+    assert outcome.finding("threshold").si_high == np.inf
 
 
 def test_a_log_without_repeats_is_refused(slow_fmu: GyroFmu) -> None:

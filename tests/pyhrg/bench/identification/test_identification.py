@@ -36,7 +36,7 @@ IDEAL = Device(angle_random_walk=1e-4 * DEG / 60, angle_white_noise=1e-7, freque
 def test_ring_down_finds_the_shell(slow_fmu: GyroFmu) -> None:
     """Errors of drives and pick-offs, which the device has, take no part."""
     outcome = record_and_evaluate(ring_down.PROCEDURE, slow_bench(slow_fmu, QUIET))
-    found = {finding.name: finding.value for finding in outcome.findings}
+    found = {finding.name: finding.si_value for finding in outcome.findings}
     assert found["decay time"] == pytest.approx(QUIET.decay_time, rel=1e-7)
     assert found["damping anisotropy"] == pytest.approx(QUIET.damping_anisotropy, rel=1e-5)
     assert found["damping axis"] == pytest.approx(QUIET.damping_axis, abs=1e-5)
@@ -51,15 +51,17 @@ def test_ring_down_settles_on_any_split(slow_fmu: GyroFmu, split: float, warning
     bench = identified.bench(slow_fmu, 1005)
     bench = replace(bench, device=replace(bench.device, frequency_split=split))
     outcome = ring_down.evaluate(bench.campaign(ring_down.record(bench, 4, decay=300.0)))
-    assert outcome.finding("decay time").value == pytest.approx(bench.device.decay_time, rel=1e-4)
-    assert outcome.finding("frequency split").value == pytest.approx(split, abs=2e-5)
+    assert outcome.finding("decay time").si_value == pytest.approx(
+        bench.device.decay_time, rel=1e-4
+    )
+    assert outcome.finding("frequency split").si_value == pytest.approx(split, abs=2e-5)
     assert len(outcome.warnings) == warnings
 
 
 def test_rate_reversal_finds_the_pickoffs(slow_fmu: GyroFmu) -> None:
     outcome = record_and_evaluate(rate_reversal.PROCEDURE, slow_bench(slow_fmu, QUIET))
-    gain = outcome.finding("pick-off gain mismatch").value
-    skew = outcome.finding("pick-off non-orthogonality").value
+    gain = outcome.finding("pick-off gain mismatch").si_value
+    skew = outcome.finding("pick-off non-orthogonality").si_value
     assert gain == pytest.approx(QUIET.pickoff_gain_mismatch, abs=1e-8)
     assert skew == pytest.approx(QUIET.pickoff_nonorthogonality, abs=1e-8)
 
@@ -67,7 +69,7 @@ def test_rate_reversal_finds_the_pickoffs(slow_fmu: GyroFmu) -> None:
 def test_virtual_rotation_finds_pickoffs_and_drives_together(slow_fmu: GyroFmu) -> None:
     outcome = record_and_evaluate(virtual_rotation.PROCEDURE, slow_bench(slow_fmu, QUIET))
     gain = QUIET.pickoff_gain_mismatch + QUIET.drive_gain_mismatch
-    found = outcome.finding("gain mismatch of pick-offs and drives").value
+    found = outcome.finding("gain mismatch of pick-offs and drives").si_value
     assert found == pytest.approx(gain, abs=1e-8)
 
 
@@ -75,22 +77,22 @@ def test_force_map_finds_the_split(slow_fmu: GyroFmu) -> None:
     """The axis is the pick-offs', off by a quarter of their non-orthogonality."""
     outcome = record_and_evaluate(force_map.PROCEDURE, slow_bench(slow_fmu, QUIET))
     axis = QUIET.stiffness_axis + QUIET.pickoff_nonorthogonality / 4
-    assert outcome.finding("frequency split").value == pytest.approx(
+    assert outcome.finding("frequency split").si_value == pytest.approx(
         QUIET.frequency_split, rel=1e-6
     )
-    assert outcome.finding("stiffness axis").value == pytest.approx(axis, abs=2e-6)
+    assert outcome.finding("stiffness axis").si_value == pytest.approx(axis, abs=2e-6)
 
 
 def test_amplitude_sweep_finds_stiffness_and_cubic(slow_fmu: GyroFmu) -> None:
     device = replace(QUIET, duffing=1e-3, pickoff_cubic=2e-5)
     outcome = record_and_evaluate(amplitude_sweep.PROCEDURE, slow_bench(slow_fmu, device))
-    assert outcome.finding("Duffing shift").value == pytest.approx(1e-3, rel=1e-4)
-    assert outcome.finding("pick-off cubic").value == pytest.approx(2e-5, rel=2e-3)
+    assert outcome.finding("Duffing shift").si_value == pytest.approx(1e-3, rel=1e-4)
+    assert outcome.finding("pick-off cubic").si_value == pytest.approx(2e-5, rel=2e-3)
 
 
 def test_phase_step_responds_as_the_force_says(slow_fmu: GyroFmu) -> None:
     outcome = record_and_evaluate(phase_step.PROCEDURE, slow_bench(slow_fmu, QUIET))
-    assert outcome.findings[0].value == pytest.approx(1.0, abs=1e-4)
+    assert outcome.findings[0].si_value == pytest.approx(1.0, abs=1e-4)
 
 
 @pytest.mark.parametrize(
@@ -110,9 +112,9 @@ def test_nothing_is_found_where_nothing_is(slow_fmu: GyroFmu) -> None:
     outcome = record_and_evaluate(ring_down.PROCEDURE, slow_bench(slow_fmu, IDEAL, seed=5))
     for name in ("damping anisotropy cos4", "damping anisotropy sin4"):
         finding = outcome.finding(name)
-        assert finding.low < 0 < finding.high
-    assert np.isnan(outcome.finding("damping axis").value)
-    assert outcome.finding("damping anisotropy").low == 0.0
+        assert finding.si_low < 0 < finding.si_high
+    assert np.isnan(outcome.finding("damping axis").si_value)
+    assert outcome.finding("damping anisotropy").si_low == 0.0
 
 
 def test_one_direction_is_refused(slow_fmu: GyroFmu) -> None:
@@ -164,5 +166,5 @@ def test_gaps_leave_the_result(slow_fmu: GyroFmu) -> None:
     holes = np.where(np.arange(len(tests[0].log.time)) % 500 < 3, np.nan, tests[0].log.gyro_angle)
     spoilt = replace(tests[0], recording=replace(tests[0].log, gyro_angle=holes))
     outcome = rate_reversal.evaluate(bench.campaign([spoilt, *tests[1:]]))
-    found = outcome.finding("pick-off gain mismatch").value
+    found = outcome.finding("pick-off gain mismatch").si_value
     assert found == pytest.approx(QUIET.pickoff_gain_mismatch, abs=1e-8)

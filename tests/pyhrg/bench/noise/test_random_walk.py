@@ -34,8 +34,8 @@ def test_typical_gyro_walks_ten_times_as_fast_under_virtual_rotation(slow_fmu: G
     expected = math.hypot(TYPICAL.angle_random_walk, turning) / TYPICAL.angle_random_walk
     assert expected == pytest.approx(10, rel=0.01)
     ratio = measured(slow_fmu, TYPICAL).finding(random_walk.RATIO)
-    assert ratio.low < expected < ratio.high
-    assert ratio.high / ratio.low < 1.5
+    assert ratio.si_low < expected < ratio.si_high
+    assert ratio.si_high / ratio.si_low < 1.5
 
 
 def test_quiet_rotation_has_the_ratio_one(slow_fmu: GyroFmu) -> None:
@@ -43,10 +43,10 @@ def test_quiet_rotation_has_the_ratio_one(slow_fmu: GyroFmu) -> None:
     device = replace(TYPICAL, damping_anisotropy=50 * TYPICAL.damping_anisotropy, model={})
     outcome = measured(slow_fmu, device)
     ratio = outcome.finding(random_walk.RATIO)
-    assert ratio.low < 1 < ratio.high
+    assert ratio.si_low < 1 < ratio.si_high
     for name in ("bias instability", "rate random walk"):
         for state in ("", " under virtual rotation"):
-            assert outcome.finding(name + state).low == 0
+            assert outcome.finding(name + state).si_low == 0
 
 
 def test_intervals_hold_the_devices_noises(slow_fmu: GyroFmu) -> None:
@@ -100,9 +100,9 @@ def test_records_that_cannot_say_it_are_refused(slow_fmu: GyroFmu) -> None:
 def test_one_state_alone_has_no_ratio(slow_fmu: GyroFmu) -> None:
     bench = slow_bench(slow_fmu, TYPICAL)
     outcome = random_walk.evaluate(bench.campaign(bench.run(random_walk.plan_power_ons(bench)[:1])))
-    assert outcome.finding("angle random walk").low > 0
+    assert outcome.finding("angle random walk").si_low > 0
     for name in ("angle random walk under virtual rotation", random_walk.RATIO):
-        assert math.isnan(outcome.finding(name).value)
+        assert math.isnan(outcome.finding(name).si_value)
         assert outcome.finding(name).note
 
 
@@ -114,10 +114,10 @@ def test_recorded_campaign(recorded_campaign: Path) -> None:
         ("angle random walk", "angle_random_walk_deg_sqrt_h"),
         ("white angle noise", "angle_white_noise_arcsec"),
     ):
-        low, high = outcome.finding(name).interval_in_unit
+        low, high = outcome.finding(name).interval
         assert low < recorded.nominal[key] < high
     ratio = outcome.finding(random_walk.RATIO)
-    assert ratio.low < 1 < ratio.high
+    assert ratio.si_low < 1 < ratio.si_high
     assert any("crept over 2.7 deg" in text for text in outcome.warnings)
     assert outcome.draw is not None
     figure = Figure(figsize=(8, 5))

@@ -54,7 +54,7 @@ def test_at_least(value: float, low: float, high: float, word: str) -> None:
 
 
 def test_sentence_has_value_interval_limit_and_word() -> None:
-    expected = "bias_stability_deg_per_h 0.5 (0.4 to 0.9), at most 1: meets"
+    expected = "bias_stability_deg_per_h 0.50 (0.40 to 0.90), at most 1: meets"
     assert str(Judgement(finding(0.5, 0.4, 0.9), 1.0)) == expected
     expected = "bias_stability_deg_per_h 0.5, at most 1: not decided"
     assert str(Judgement(finding(0.5, NAN, NAN), 1.0)) == expected

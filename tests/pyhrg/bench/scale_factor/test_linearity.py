@@ -45,8 +45,8 @@ def test_recovers_without_noise(slow_fmu: GyroFmu) -> None:
     expected = Line(line.input, hold * np.sign(line.input) * np.sqrt(line.input**2 - lock**2))
     assert line.residual == pytest.approx(expected.residual, abs=1e-9)
     found = linearity.evaluate(campaign).finding("scale factor nonlinearity")
-    assert found.value == pytest.approx(np.max(np.abs(expected.residual)), rel=0.01)
-    assert np.isnan(found.low)
+    assert found.si_value == pytest.approx(np.max(np.abs(expected.residual)), rel=0.01)
+    assert np.isnan(found.si_low)
 
 
 def test_a_linear_gyro_is_linear(slow_fmu: GyroFmu) -> None:
@@ -54,13 +54,13 @@ def test_a_linear_gyro_is_linear(slow_fmu: GyroFmu) -> None:
     bias those of theory."""
     bench = Bench(slow_fmu, replace(TYPICAL, frequency_split=0.0), step=0.1)
     found = linearity.evaluate(bench.campaign(linearity.record(bench, 4, RATES)))
-    assert found.finding("scale factor nonlinearity").low == 0.0
-    assert found.finding("scale factor nonlinearity").high < 0.05e-6
-    assert found.finding("scale factor asymmetry").low == 0.0
+    assert found.finding("scale factor nonlinearity").si_low == 0.0
+    assert found.finding("scale factor nonlinearity").si_high < 0.05e-6
+    assert found.finding("scale factor asymmetry").si_low == 0.0
     error = theory.hold_scale_factor_error(1e-3, 0.0, 450.0)
-    assert found.finding("scale factor error").value == pytest.approx(error, abs=0.01e-6)
+    assert found.finding("scale factor error").si_value == pytest.approx(error, abs=0.01e-6)
     bias = theory.mean_bias(TYPICAL)
-    assert found.finding("bias").value == pytest.approx(bias, abs=0.002 * DEG_PER_H)
+    assert found.finding("bias").si_value == pytest.approx(bias, abs=0.002 * DEG_PER_H)
 
 
 def test_intervals_hold_the_truth(slow_fmu: GyroFmu) -> None:
@@ -89,7 +89,7 @@ def test_power_ons_at_other_rates_are_refused(slow_fmu: GyroFmu) -> None:
 def test_one_power_on_has_no_repeatability(slow_fmu: GyroFmu) -> None:
     bench = Bench(slow_fmu, TYPICAL, step=0.1)
     found = linearity.evaluate(bench.campaign(linearity.record(bench, 1, RATES)))
-    assert np.isnan(found.finding("scale factor repeatability").value)
+    assert np.isnan(found.finding("scale factor repeatability").si_value)
     assert "of at least 2" in found.finding("scale factor repeatability").note
     figure = Figure()
     assert found.draw is not None

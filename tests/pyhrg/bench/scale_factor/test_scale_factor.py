@@ -39,7 +39,7 @@ def test_recovers_without_noise(slow_fmu: GyroFmu, method: ModuleType) -> None:
     found = outcome(Bench(slow_fmu, device, step=0.1), method)
     for name, truth in truths(device, method.RATE).items():
         size = 0.005e-6 if found.finding(name).unit == "ppm" else 0.002 * DEG_PER_H
-        assert found.finding(name).value == pytest.approx(truth, abs=size), name
+        assert found.finding(name).si_value == pytest.approx(truth, abs=size), name
 
 
 @METHODS
@@ -49,11 +49,11 @@ def test_a_perfect_gyro_has_no_map(slow_fmu: GyroFmu, method: ModuleType) -> Non
     noise = {"angle_random_walk": 3e-4 * DEG_PER_SQRT_H, "angle_white_noise": 0.02 * ARCSEC}
     found = outcome(Bench(slow_fmu, Device(**noise), seed=2, step=0.1), method)
     names = list(truths(gyro(np.random.default_rng(0)), 1.0))[1:]
-    missed = [n for n in names if not found.finding(n).low <= 0.0 <= found.finding(n).high]
+    missed = [n for n in names if not found.finding(n).si_low <= 0.0 <= found.finding(n).si_high]
     assert len(missed) <= 3
     error = found.finding("scale factor error")
-    assert error.low <= theory.hold_scale_factor_error(1e-3, 0.0, 450.0) <= error.high
-    assert not error.low <= 0.0 <= error.high
+    assert error.si_low <= theory.hold_scale_factor_error(1e-3, 0.0, 450.0) <= error.si_high
+    assert not error.si_low <= 0.0 <= error.si_high
 
 
 @METHODS
@@ -103,15 +103,15 @@ def test_the_quadrature_loop_lags(fmu: GyroFmu) -> None:
     for method in (scale_factor_angle, scale_factor_rate):
         found = outcome(Bench(fmu, device), method)
         lag = quadrature_lag_scale_factor(split, 6.0, 0.277, method.RATE)
-        error = found.finding("scale factor error").value
+        error = found.finding("scale factor error").si_value
         hold = theory.hold_scale_factor_error(1e-3, 0.0, 450.0)
         assert error - hold == pytest.approx(lag, rel=0.02)
-        assert found.finding("scale factor cos8").value == pytest.approx(
+        assert found.finding("scale factor cos8").si_value == pytest.approx(
             lag * np.cos(160 * DEG), rel=0.05
         )
         even = quadrature_lag_bias(split, 6.0, 0.277, method.RATE)
         tolerance = {"rel": 0.02, "abs": 1e-5 * DEG_PER_H}
-        cosine, sine = (found.finding(f"bias {name}8").value for name in ("cos", "sin"))
+        cosine, sine = (found.finding(f"bias {name}8").si_value for name in ("cos", "sin"))
         assert cosine == pytest.approx(-even * np.sin(160 * DEG), **tolerance)
         assert sine == pytest.approx(even * np.cos(160 * DEG), **tolerance)
         assert "even in the rate" in found.finding("bias cos8").note
@@ -124,11 +124,11 @@ def test_late_ripple(fmu: GyroFmu) -> None:
     turning, loop = 4j * 0.277 * scale_factor_rate.RATE, 6.0
     response = (2 * loop * turning + loop**2) / (turning + loop) ** 2
     ripple = theory.late_ripple(response, 0.5e-3, 0.277, scale_factor_rate.RATE)
-    bias = found.finding("bias sin4").value - theory.static_bias_phasor(device).imag
+    bias = found.finding("bias sin4").si_value - theory.static_bias_phasor(device).imag
     assert bias == pytest.approx(1e-4 * scale_factor_rate.RATE * ripple.real, rel=0.01)
-    gain = found.finding("pick-off gain mismatch").value
+    gain = found.finding("pick-off gain mismatch").si_value
     assert gain / 1e-4 - 1 == pytest.approx(ripple.imag, rel=0.1)
-    error = found.finding("scale factor error").value
+    error = found.finding("scale factor error").si_value
     hold = theory.hold_scale_factor_error(1e-3, 0.0, 450.0)
     misaimed = theory.misaimed_ripple_scale_factor(1e-4, 0.0, response)
     assert error - hold == pytest.approx(misaimed, rel=0.02)
@@ -165,7 +165,7 @@ def test_tilt_takes_ten_turns(slow_fmu: GyroFmu) -> None:
     long = outcome(bench, scale_factor_angle, periods=12)
     assert not long.warnings
     sizes = [
-        np.hypot(*(o.finding(f"bias {part}4").value for part in ("cos", "sin")))
+        np.hypot(*(o.finding(f"bias {part}4").si_value for part in ("cos", "sin")))
         for o in (short, long)
     ]
     assert sizes[0] > 0.001 * DEG_PER_H
@@ -187,9 +187,9 @@ def test_the_correction_for_averages_is_right(slow_fmu: GyroFmu) -> None:
     """The paper's own figure of method B, corrected, is the map's deviation."""
     device = Device(pickoff_gain_mismatch=1e-4)
     found = outcome(Bench(slow_fmu, device, step=0.1), scale_factor_rate)
-    expected = found.finding("scale factor variation").value
-    assert found.finding("corrected rate residual").value == pytest.approx(expected, rel=0.003)
-    assert found.finding("smoothed rate residual").value < 0.99 * expected
+    expected = found.finding("scale factor variation").si_value
+    assert found.finding("corrected rate residual").si_value == pytest.approx(expected, rel=0.003)
+    assert found.finding("smoothed rate residual").si_value < 0.99 * expected
 
 
 @METHODS

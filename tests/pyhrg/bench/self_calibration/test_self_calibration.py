@@ -46,32 +46,32 @@ def test_cycle_is_the_mean_over_the_circumference(slow_fmu: GyroFmu) -> None:
     outcome = evaluate(campaign_of(slow_fmu, device))
     hold = theory.hold_scale_factor_error(1e-3, 0.0, device.decay_time)
     expected = theory.mean_bias(device)
-    assert outcome.finding("bias on").value == pytest.approx(expected, abs=1e-4 * DEG_PER_H)
+    assert outcome.finding("bias on").si_value == pytest.approx(expected, abs=1e-4 * DEG_PER_H)
     for name, value in (
         ("virtual rotation gain error", 2e-4 + hold),
         ("scale factor error on", 5e-6 + hold),
         ("scale factor error off", 5e-6 + hold),
     ):
-        assert outcome.finding(name).value == pytest.approx(value, abs=0.05 * PPM)
+        assert outcome.finding(name).si_value == pytest.approx(value, abs=0.05 * PPM)
 
 
 def test_repeatability_over_angles_is_gained(outcome: Outcome) -> None:
     on, off = (outcome.finding(f"bias repeatability {x}") for x in ("on", "off"))
-    assert off.low > 5 * on.high
+    assert off.si_low > 5 * on.si_high
 
 
 def test_random_walk_is_lost(outcome: Outcome) -> None:
     """The paper's order of magnitude, for a rotation with that noise."""
     ratio = outcome.finding("random walk on over off")
-    assert ratio.low < np.hypot(10, 1) < ratio.high
-    assert ratio.high / ratio.low < 1.2
+    assert ratio.si_low < np.hypot(10, 1) < ratio.si_high
+    assert ratio.si_high / ratio.si_low < 1.2
 
 
 def test_rotation_without_noise_costs_nothing(slow_fmu: GyroFmu) -> None:
     """Negative control: 1 within twice the interval, 3.9 standard deviations."""
     plain = replace(TYPICAL, model={})
     ratio = evaluate(campaign_of(slow_fmu, plain)).finding("random walk on over off")
-    assert abs(ratio.value - 1) < ratio.high - ratio.low
+    assert abs(ratio.si_value - 1) < ratio.si_high - ratio.si_low
 
 
 def test_one_way_alone_is_refused(campaign: Campaign) -> None:

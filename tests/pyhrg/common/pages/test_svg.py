@@ -66,6 +66,8 @@ def test_numbers_are_told_in_three_digits(value: float, text: str) -> None:
         ((0.9653, 0.9181, 0.9832), ("0.965", "0.918", "0.983")),
         ((-52.5, -131.2, -21.1), ("−52", "−131", "−21")),
         ((-0.001, -0.2, 0.2), ("0.00", "−0.20", "0.20")),
+        ((0.001, 0.00098, 0.00103), ("0.001000", "0.000980", "0.001030")),
+        ((2.68888e-6, 2.68798e-6, 2.68978e-6), ("2.68888e−06", "2.68798e−06", "2.68978e−06")),
         ((0.5, 0.5, 0.5), ("0.5", "0.5", "0.5")),
         ((0.5, np.nan, np.nan), ("0.5", "–", "–")),
     ],
@@ -80,3 +82,8 @@ def test_log_axes_are_named() -> None:
     x, y = svg.make_horizontal_scale(0.0, 1.0, log=False), svg.make_vertical_scale(1.0, 10.0)
     labels = re.findall(r'text-anchor="middle">(\D[^<]*)<', svg.draw_frame(x, y, "time", "error"))
     assert labels == ["time", "error, log axis"]
+
+
+def test_ticks_are_short() -> None:
+    ticks = [svg._format_short(value) for value in (0.1, 999.0, -1e5, 1e6, 2.5e6)]
+    assert ticks == ["0.1", "999", "−100k", "1M", "2.5M"]

@@ -203,7 +203,7 @@ def test_noises_are_causes_too(with_gap: CampaignDiagnosis) -> None:
     name = "angle_random_walk_deg_sqrt_h"
     noise = Cause("angle_random_walk", 0.97, {name: 1e-3}, {name: (8e-4, 1.2e-3)})
     text = build_page(replace(with_gap, diagnosis=replace(with_gap.diagnosis, causes=(noise,))))
-    assert "Angle random walk: 0.001 (0.0008 to 0.0012) deg/√h" in text
+    assert "Angle random walk: 0.00100 (0.00080 to 0.00120) deg/√h" in text
     assert "Angle random walk: probability 97.0" in text
 
 

@@ -6,7 +6,6 @@ from pyhrg.gap.effects.catalogue import DETERMINISTIC, NOISES
 from pyhrg.gap.report.words import (
     format_effect,
     format_percent,
-    format_value,
     join_words,
     parse_parameter,
 )
@@ -34,12 +33,6 @@ def test_no_unit_is_left_in_the_words_of_the_catalogue() -> None:
     for key in keys:
         words = parse_parameter(key.name)[0].split()
         assert not {"deg", "h", "per", "K", "g", "s", "rad", "Hz", "ppm", "arcsec"} & set(words)
-
-
-def test_values_have_the_digits_that_their_interval_gives() -> None:
-    assert format_value(2.68888e-6, 2.68798e-6, 2.68978e-6).startswith("2.68888e−06 (2.68798e−06")
-    assert format_value(33.1774, 33.1699, 33.1848) == "33.1774 (33.1699 to 33.1848)"
-    assert format_value(0.3, 0.3, 0.3) == "0.3"
 
 
 def test_nothing_is_certain() -> None:

@@ -43,23 +43,23 @@ def run_centrifuge(fmu: GyroFmu, device: Device) -> Outcome:
 def test_tumble_recovers_linear_terms(slow_fmu: GyroFmu) -> None:
     outcome = run_tumble(slow_fmu, SENSITIVE, segments=1)
     within = 2e-5 * PER_G
-    assert outcome.finding("g bias z").value == pytest.approx(0.02 * PER_G, abs=within)
-    assert outcome.finding("g bias x").value == pytest.approx(0.0, abs=within)
+    assert outcome.finding("g bias z").si_value == pytest.approx(0.02 * PER_G, abs=within)
+    assert outcome.finding("g bias x").si_value == pytest.approx(0.0, abs=within)
     sine = outcome.finding("g bias x sin4")
-    assert sine.value == pytest.approx(1e-6 * QUARTER, rel=0.005)
+    assert sine.si_value == pytest.approx(1e-6 * QUARTER, rel=0.005)
 
 
 def test_centrifuge_recovers_quadratic_terms(slow_fmu: GyroFmu) -> None:
     outcome = run_centrifuge(slow_fmu, SENSITIVE)
-    assert outcome.finding("g bias z").value == pytest.approx(0.02 * PER_G, rel=1e-3)
-    assert outcome.finding("g squared zz sin4").value == pytest.approx(2e-8 * QUARTER, rel=0.02)
+    assert outcome.finding("g bias z").si_value == pytest.approx(0.02 * PER_G, rel=1e-3)
+    assert outcome.finding("g squared zz sin4").si_value == pytest.approx(2e-8 * QUARTER, rel=0.02)
 
 
 @pytest.mark.parametrize("name", ["g bias x", "g bias y", "g bias z", "g squared zz over mean"])
 def test_insensitive_gyro_shows_none(slow_fmu: GyroFmu, name: str) -> None:
     """Negative control: 99.99 % of normal deviation, so that one seed decides."""
     found = run_tumble(slow_fmu, TYPICAL, segments=1).finding(name)
-    assert abs(found.value) < 2 * (found.high - found.low) / 2
+    assert abs(found.si_value) < 2 * (found.si_high - found.si_low) / 2
 
 
 def test_one_pattern_angle_gives_the_sum_there_and_says_so(slow_fmu: GyroFmu) -> None:
@@ -67,14 +67,14 @@ def test_one_pattern_angle_gives_the_sum_there_and_says_so(slow_fmu: GyroFmu) ->
     outcome = run_tumble(slow_fmu, device, pattern_angles=1)
     angle = device.power_on_angle
     expected = 1e-6 * QUARTER * np.sin(4 * angle)
-    assert outcome.finding("g bias x").value == pytest.approx(expected, rel=0.05)
+    assert outcome.finding("g bias x").si_value == pytest.approx(expected, rel=0.05)
     assert any("can't be separated" in text for text in outcome.warnings)
 
 
 def test_six_positions_refuse_products(slow_fmu: GyroFmu) -> None:
     outcome = run_tumble(slow_fmu, SENSITIVE, positions=tumble.SIX)
     found = outcome.finding("g squared xz")
-    assert np.isnan(found.value)
+    assert np.isnan(found.si_value)
     assert "don't vary" in found.note
 
 
@@ -105,4 +105,4 @@ def test_recorded_tumble_of_an_insensitive_gyro(recorded_campaign: Path) -> None
     outcome = tumble.evaluate(campaign.read_campaign(recorded_campaign))
     for axis in "xyz":
         found = outcome.finding(f"g bias {axis}")
-        assert abs(found.value) < found.high - found.low
+        assert abs(found.si_value) < found.si_high - found.si_low

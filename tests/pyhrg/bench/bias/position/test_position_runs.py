@@ -34,10 +34,10 @@ def test_variances_of_an_analysis_by_hand() -> None:
         estimate_within("within", runs),
         estimate_between("between", runs, means(runs)),
     )
-    assert within.value == pytest.approx(np.sqrt(2))
-    assert between.value == pytest.approx(np.sqrt(7))
-    assert within.low < within.value < within.high
-    assert between.low < between.value < between.high
+    assert within.si_value == pytest.approx(np.sqrt(2))
+    assert between.si_value == pytest.approx(np.sqrt(7))
+    assert within.si_low < within.si_value < within.si_high
+    assert between.si_low < between.si_value < between.si_high
 
 
 def test_drift_within_positions_is_not_noise() -> None:
@@ -46,21 +46,21 @@ def test_drift_within_positions_is_not_noise() -> None:
     drift, step = np.tile([0.0, 1.0], 4), np.repeat(np.arange(4.0), 2)
     line = fit({"mean": np.ones(8), "drift": drift, "step": step}, runs[0].rate)
     found = estimate_between("between", runs, [line])
-    assert found.value == pytest.approx(5 * np.sqrt(5 / 3), rel=0.01)
-    assert found.high - found.low < 0.5
+    assert found.si_value == pytest.approx(5 * np.sqrt(5 / 3), rel=0.01)
+    assert found.si_high - found.si_low < 0.5
 
 
 def test_equal_positions_differ_by_zero() -> None:
     """Negative control: the interval holds zero."""
     runs = [run(np.random.default_rng(4).standard_normal((16, 3)).tolist())]
     found = estimate_between("between", runs, means(runs))
-    assert found.low == 0.0
-    assert 0 < found.high < 2
+    assert found.si_low == 0.0
+    assert 0 < found.si_high < 2
 
 
 def test_one_point_a_position_has_no_scatter_within() -> None:
     found = estimate_within("within", [run([[0.0], [4.0]])])
-    assert np.isnan(found.value)
+    assert np.isnan(found.si_value)
     assert "can't be separated" in found.note
 
 

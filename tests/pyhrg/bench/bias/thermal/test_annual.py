@@ -23,7 +23,7 @@ def test_drift_is_that_of_the_decay_time(slow_fmu: GyroFmu) -> None:
     outcome = annual.evaluate(bench.campaign(annual.record(bench)))
     expected = truths(device)
     for name in ("bias drift", "scale factor drift"):
-        assert outcome.finding(name).value == pytest.approx(expected[name], rel=0.01)
+        assert outcome.finding(name).si_value == pytest.approx(expected[name], rel=0.01)
 
 
 def test_no_ageing_no_drift(slow_fmu: GyroFmu) -> None:
@@ -32,7 +32,7 @@ def test_no_ageing_no_drift(slow_fmu: GyroFmu) -> None:
     outcome = annual.evaluate(bench.campaign(annual.record(bench)))
     for name in ("bias drift", "scale factor drift"):
         found = outcome.finding(name)
-        assert abs(found.value) < found.high - found.low
+        assert abs(found.si_value) < found.si_high - found.si_low
 
 
 def test_three_months_are_an_error(slow_fmu: GyroFmu) -> None:

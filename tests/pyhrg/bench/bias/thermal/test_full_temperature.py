@@ -39,13 +39,13 @@ def test_recovers_slopes(outcome: Outcome, device: Device) -> None:
     for name, truth in truths(device).items():
         unit = 1.0 if name.startswith("scale") else DEG_PER_H
         size = next(size for start, size in SCALE.items() if name.startswith(start)) * unit
-        assert outcome.finding(name).value == pytest.approx(truth, abs=0.02 * size), name
+        assert outcome.finding(name).si_value == pytest.approx(truth, abs=0.02 * size), name
 
 
 def test_loop_frequency_tells_the_lag(outcome: Outcome, device: Device) -> None:
-    assert outcome.finding("thermal lag").value == pytest.approx(device.thermal_lag, abs=1.0)
+    assert outcome.finding("thermal lag").si_value == pytest.approx(device.thermal_lag, abs=1.0)
     expected = device.frequency * device.frequency_per_kelvin
-    assert outcome.finding("frequency per kelvin").value == pytest.approx(expected, rel=1e-4)
+    assert outcome.finding("frequency per kelvin").si_value == pytest.approx(expected, rel=1e-4)
 
 
 def test_soaks_are_means_over_the_circumference(outcome: Outcome) -> None:
@@ -62,9 +62,9 @@ def test_scale_factor_is_that_of_the_whole_circumference(outcome: Outcome, devic
     wave = -(gain + 1j * device.pickoff_nonorthogonality)
     around = mean[:, None] + (wave[:, None] * np.exp(-2j * np.pi / 3 * np.arange(3))).real
     found = outcome.finding("scale factor stability over temperature")
-    assert found.value == pytest.approx(np.std(around, ddof=1), rel=0.01)
+    assert found.si_value == pytest.approx(np.std(around, ddof=1), rel=0.01)
     alone = outcome.finding("scale factor over temperature")
-    assert alone.value == pytest.approx(np.std(mean, ddof=1), abs=1e-8)
+    assert alone.si_value == pytest.approx(np.std(mean, ddof=1), abs=1e-8)
 
 
 @pytest.mark.parametrize("ratio", [3.0, 50.0])
@@ -82,13 +82,13 @@ def test_scale_factor_interval_holds_the_deviation(ratio: float) -> None:
         )
         true = np.var((mean[:, None] + (wave * phases).real), ddof=1) + (1 + ratio**2) / 4
         finding = next(each for each in found if each.name == STABILITY)
-        inside += finding.low <= np.sqrt(true) <= finding.high
+        inside += finding.si_low <= np.sqrt(true) <= finding.si_high
     assert inside > 0.93 * 400
 
 
 def test_one_power_on_has_no_repeatability(outcome: Outcome) -> None:
     found = outcome.finding("bias repeatability over temperature")
-    assert np.isnan(found.value)
+    assert np.isnan(found.si_value)
     assert "one power-on" in found.note
 
 
@@ -102,9 +102,9 @@ def test_constant_temperature_is_an_error(slow_fmu: GyroFmu, device: Device) -> 
 def test_recorded_ramp(recorded_campaign: Path) -> None:
     """dev-01: lag 600 s and 85 ppm/K of 7 kHz in its page, no temperature-rate bias in truth."""
     outcome = full_temperature.evaluate(campaign.read_campaign(recorded_campaign))
-    assert outcome.finding("thermal lag").value == pytest.approx(600.0, abs=1.0)
-    assert outcome.finding("frequency per kelvin").value_in_unit == pytest.approx(0.595, abs=1e-4)
+    assert outcome.finding("thermal lag").si_value == pytest.approx(600.0, abs=1.0)
+    assert outcome.finding("frequency per kelvin").value == pytest.approx(0.595, abs=1e-4)
     for name in ("bias per kelvin", "temperature-rate bias"):
         found = outcome.finding(name)
-        assert abs(found.value) < found.high - found.low
-    assert np.isnan(outcome.finding("scale factor per kelvin").value)
+        assert abs(found.si_value) < found.si_high - found.si_low
+    assert np.isnan(outcome.finding("scale factor per kelvin").si_value)

@@ -1,0 +1,139 @@
+"""Bias, Allan deviation and noise coefficients of a static record."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import pandas as pd
+
+from pyhrg.common.made_by import list_versions
+from pyhrg.common.pages.svg import format_interval, format_number
+from pyhrg.gap.static_record.record import Channel, StaticRecord
+from pyhrg.gap.static_record.terms import Term
+from pyhrg.noise.allan import AllanDeviation, estimate_allan_deviation
+from pyhrg.noise.coefficients import (
+    COEFFICIENT_NAMES,
+    Coefficient,
+    NoiseCoefficients,
+    compute_allan_deviation,
+)
+from pyhrg.noise.fitting import NORMAL_QUANTILE, estimate_noise
+
+SCHEMA = "hrg-allan/1"
+FILES = RESULT, TABLE, PAGE = "allan.json", "allan.csv", "report.html"
+
+
+@dataclass(frozen=True)
+class ChannelNoise:
+    """Noise of one sensor, SI.
+
+    bias: mean of the readings with its 95 % interval; Earth's rate and gravity are in it. The
+        interval is that of a normal estimate whose standard deviation is the Allan deviation that
+        the fitted noise has over the whole record.
+    """
+
+    channel: Channel
+    bias: Coefficient
+    deviation: AllanDeviation
+    noise: NoiseCoefficients
+
+    @property
+    def coefficients(self) -> Mapping[Term, Coefficient]:
+        """Fitted coefficients by term."""
+        values = (getattr(self.noise, name) for name in COEFFICIENT_NAMES)
+        return dict(zip(self.channel.kind.terms, values, strict=True))
+
+    @property
+    def rows(self) -> list[tuple[str, str, str]]:
+        """Name, value with 95 % interval, and key with unit, of the bias and the coefficients; an
+        upper bound where the record does not show a noise."""
+        kind = self.channel.kind
+        ends = (x / kind.rate_scale for x in (self.bias.value, self.bias.low, self.bias.high))
+        rows = [("mean", format_interval(*ends), kind.rate_unit)]
+        for term, c in self.coefficients.items():
+            value, low, high = (x / term.factor for x in (c.value, c.low, c.high))
+            shown = format_interval(value, low, high) if c.present else f"< {format_number(high)}"
+            rows.append((term.effect.replace("_", " "), shown, term.parameter))
+        return rows
+
+
+@dataclass(frozen=True, repr=False)
+class RecordNoise:
+    """Noise of the sensors of a static record.
+
+    source: name of the file; notes: a sentence on each thing that was left out of it.
+    """
+
+    source: str
+    channels: tuple[ChannelNoise, ...]
+    notes: tuple[str, ...] = ()
+
+    @property
+    def deviations(self) -> pd.DataFrame:
+        """Allan deviation of each channel with 95 % intervals, in the unit of column `unit`."""
+        return pd.concat([_tabulate(each) for each in self.channels], ignore_index=True)
+
+    @property
+    def document(self) -> dict[str, Any]:
+        """Content of allan.json: coefficients in the units that their keys name."""
+        return {
+            "schema": SCHEMA,
+            "made_by": list_versions(),
+            "source": self.source,
+            "channels": {each.channel.name: _describe(each) for each in self.channels},
+            "notes": list(self.notes),
+        }
+
+    @property
+    def summary(self) -> str:
+        """Bias and coefficients of each channel, a line each."""
+        lines = [self.source]
+        for each in self.channels:
+            n, interval = each.deviation.n, each.channel.interval
+            lines += ["", f"{each.channel.name}: {n} readings, {n * interval:.6g} s"]
+            lines += [f"  {name:<26} {value:<36} {unit}" for name, value, unit in each.rows]
+        return "\n".join([*lines, *(f"left out: {note}" for note in self.notes)])
+
+    def __repr__(self) -> str:
+        return f"<RecordNoise of {self.source}: {len(self.channels)} channels>"
+
+
+def measure_noise(record: StaticRecord) -> RecordNoise:
+    """Bias, Allan deviation and noise coefficients (IEEE Std 952) of a record's channels."""
+    return RecordNoise(record.source, tuple(map(_measure, record.channels)), record.notes)
+
+
+def _measure(channel: Channel) -> ChannelNoise:
+    noise = estimate_noise(channel.angle, channel.interval)
+    duration = len(channel.angle) * channel.interval
+    reach = NORMAL_QUANTILE * float(compute_allan_deviation(duration, noise))
+    bias = Coefficient(channel.mean, channel.mean - reach, channel.mean + reach)
+    return ChannelNoise(
+        channel, bias, estimate_allan_deviation(channel.angle, channel.interval), noise
+    )
+
+
+def _tabulate(each: ChannelNoise) -> pd.DataFrame:
+    measured, kind = each.deviation, each.channel.kind
+    return pd.DataFrame(
+        {
+            "channel": each.channel.name,
+            "cluster_time_s": measured.tau,
+            "deviation": measured.deviation / kind.rate_scale,
+            "low_95": measured.low / kind.rate_scale,
+            "high_95": measured.high / kind.rate_scale,
+            "unit": kind.rate_unit,
+        }
+    )
+
+
+def _describe(each: ChannelNoise) -> dict[str, Any]:
+    kind = each.channel.kind
+    figures = {
+        f"mean_{kind.rate_unit.replace('/', '_').replace('-', '_')}": (each.bias, kind.rate_scale)
+    }
+    figures |= {term.parameter: (c, term.factor) for term, c in each.coefficients.items()}
+    return {"n": each.deviation.n, "interval_s": each.channel.interval} | {
+        key: {"value": c.value / factor, "interval_95": [c.low / factor, c.high / factor]}
+        for key, (c, factor) in figures.items()
+    }

@@ -4,13 +4,11 @@ from collections.abc import Callable, Mapping, Sequence
 from types import TracebackType
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.fmu.archive import GyroError
 from pyhrg.fmu.instance import Instance
 from pyhrg.fmu.rows import Layout, Rows, arrange_rows
-
-Array = NDArray[np.float64]
 
 CHUNK = 20_000
 """Number of communication steps after which a drive looks whether it was stopped. Chosen: a second

@@ -7,13 +7,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.common.toml_table import TomlTable, read_table
 from pyhrg.gap.static_record.terms import KINDS, Kind
-
-Array = NDArray[np.float64]
 
 DEFAULT_TOLERANCE = 0.1
 """Relative standard deviation of a believed level where the file states none (chosen)."""

@@ -4,12 +4,8 @@ import html
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
+from pyhrg.common.arrays import Array
 from pyhrg.common.pages.svg import Scale, draw_horizontal_ticks, draw_vertical_ticks
-
-Array = NDArray[np.float64]
 
 LEFT, MARGIN, TOP, GAP, FOOT = 88, 12, 22, 26, 48
 """Space in a drawing, px: left and right of the strips, above the first, between two, below the

@@ -18,10 +18,6 @@ BASE_TYPES = {"Real", "Integer", "Boolean", "String", "Enumeration"}
 """Elements that hold a variable's type in FMI 2.0."""
 
 
-class UnusableError(HrgError):
-    """No FMU that can be checked: not a ZIP file, or without a description that can be read."""
-
-
 @dataclass(frozen=True)
 class Variable:
     """A variable of FMI 2.0 or 3.0: common attributes and those of its type in one."""
@@ -68,8 +64,8 @@ class Fmu:
         """Root of a document inside; an empty element where there is none."""
         if name not in self.names:
             return ET.Element("none")
-        with open_archive(self.path, UnusableError) as archive:
-            return parse_xml(name, archive.read(name), UnusableError)
+        with open_archive(self.path, HrgError) as archive:
+            return parse_xml(name, archive.read(name), HrgError)
 
     @cached_property
     def identifiers(self) -> set[str]:
@@ -120,12 +116,12 @@ class Fmu:
 
 def open_fmu(path: Path) -> Fmu:
     """Open an FMU."""
-    with open_archive(path, UnusableError) as archive:
+    with open_archive(path, HrgError) as archive:
         entries = tuple(archive.entries)
         if DESCRIPTION not in (entry.filename for entry in entries):
-            raise UnusableError(f"{path} holds no {DESCRIPTION}")
-        root = parse_xml(f"{DESCRIPTION} in {path}", archive.read(DESCRIPTION), UnusableError)
+            raise HrgError(f"{path} holds no {DESCRIPTION}")
+        root = parse_xml(f"{DESCRIPTION} in {path}", archive.read(DESCRIPTION), HrgError)
     version = root.get("fmiVersion", "none")
     if not version.startswith(("2.", "3.")):
-        raise UnusableError(f"{path} is of FMI version {version}; expected 2.0 or 3.0")
+        raise HrgError(f"{path} is of FMI version {version}; expected 2.0 or 3.0")
     return Fmu(path, entries, root)

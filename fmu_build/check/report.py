@@ -68,7 +68,7 @@ def check_fmu(path: Path | str, *, progress: Callable[[Check], None] | None = No
         progress: is called with each check as it ends.
 
     Raises:
-        UnusableError: the file is no FMU that can be read.
+        HrgError: the file is no FMU that can be read.
     """
     path = Path(path)
     done = []

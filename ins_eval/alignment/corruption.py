@@ -10,8 +10,9 @@ from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from ins_eval.alignment.kalman.dead_reckoning import MIN_STEPS
-from ins_eval.alignment.result import Alignment, AlignmentError
+from ins_eval.alignment.result import Alignment
 from pyhrg.common.arrays import Array
+from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.increments import Increments
 
 Rows = NDArray[np.int64]
@@ -71,7 +72,7 @@ def _check_normalised(time: Array, normalised: Array, verb: str, limit: float) -
     size = np.max(np.abs(normalised), axis=1)
     worst = int(np.argmax(size))
     if size[worst] > limit:
-        raise AlignmentError(
+        raise HrgError(
             f"at {time[worst]:.1f} s: displacement {verb} by {size[worst]:.3g} sigma: "
             f"expected at most {limit:g} of a standing vehicle: a sensor failed, the vehicle "
             "moved, gyros and accelerometers contradict each other, or the sensors' errors are "
@@ -84,7 +85,7 @@ def _check_spikes(record: Increments, sensor: str, samples: Array) -> None:
     height = _measure_spikes(samples) / record.interval
     if height.size and (worst := float(height.max())) > limit:
         row = int(np.argmax(height.max(axis=1))) + 1
-        raise AlignmentError(
+        raise HrgError(
             f"at {record.bounds[row]:.2f} s, increment {row}: {sensor} {samples[row]} "
             f"exceeds both its neighbours by {worst:.3g} {unit}: expected at most {limit:g} "
             f"{unit} of a standing vehicle"
@@ -108,7 +109,7 @@ def _check_stuck(record: Increments, sensor: str, samples: Array) -> None:
     longest = int(np.argmax(lengths))
     share = (same.sum() - lengths[longest]) / (len(same) - lengths[longest])
     if len(same) * share ** lengths[longest] < MIN_EXPECTED_REPEATS:
-        raise AlignmentError(
+        raise HrgError(
             f"{sensor} stuck from {record.bounds[starts[longest]]:.2f} s: the same sample for "
             f"{lengths[longest] * record.interval:.4g} s, where {100 * share:.2g} % of the others "
             f"repeat the one before: expected less than {MAX_REPEAT_DURATION:g} s"

@@ -5,10 +5,10 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TypeVar
 
-from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.keys import Checked, build_from_table
 from ins_eval.trajectories.manoeuvres.vocabulary import MANOEUVRES, OVERLAYS
 from ins_eval.trajectories.mission import Deflection, Mission, Start
+from pyhrg.common.errors import HrgError
 from pyhrg.common.toml_table import TomlTable, read_table
 
 TOP_LEVEL_KEYS = ("name", "start", "deflection", "departure", "course", "overlays", "repeat")
@@ -16,10 +16,6 @@ MAX_REPEATS = 1_000_000
 """Largest number of repetitions of a course. Chosen."""
 
 T = TypeVar("T", bound=Checked)
-
-
-class MissionError(TrajectoryError):
-    """The file is not a mission; the message names file, manoeuvre, key, found and expected."""
 
 
 def read_mission(path: Path) -> Mission:
@@ -30,10 +26,10 @@ def read_mission(path: Path) -> Mission:
     by default).
 
     Raises:
-        MissionError: an unreadable file; a key that is unknown or missing; a value of the wrong
+        HrgError: an unreadable file; a key that is unknown or missing; a value of the wrong
             type or out of range.
     """
-    top = read_table(path, MissionError)
+    top = read_table(path, HrgError)
     top.check_known(TOP_LEVEL_KEYS)
     course = _build_all(top, "course", MANOEUVRES)
     if not course:

@@ -19,10 +19,6 @@ PROPOSALS = 4
 Chosen."""
 
 
-class SpecificationError(HrgError):
-    """The file can't be used; the message names file, key, what was found and what expected."""
-
-
 @dataclass(frozen=True)
 class TomlTable:
     """A table of a file, whose methods raise `error_class` for a value that they can't take.
@@ -34,7 +30,7 @@ class TomlTable:
     source: str
     prefix: str
     values: Mapping[str, Any]
-    error_class: type[HrgError] = SpecificationError
+    error_class: type[HrgError] = HrgError
 
     def error(self, key: str, found: object, expected: str) -> HrgError:
         """Make the error about a key's value."""
@@ -149,7 +145,7 @@ def describe_range(low: float, high: float) -> str:
     return f"a number of at least {low:g}" if math.isinf(high) else f"{low:g} to {high:g}"
 
 
-def read_table(path: Path, error_class: type[HrgError] = SpecificationError) -> TomlTable:
+def read_table(path: Path, error_class: type[HrgError] = HrgError) -> TomlTable:
     """The whole content of a TOML file."""
     return TomlTable(str(path), "", read_toml(path, error_class), error_class)
 

@@ -124,7 +124,7 @@ def describe_screening(campaign: Campaign) -> str:
 
 def nominal_device(campaign: Campaign) -> Device:
     """The device that a campaign's nominal values state, without values that are no device key;
-    a `DeviceError` where they are no device's."""
+    an `HrgError` where they are no device's."""
     names = {key.name for key in KEYS}
     nominal = {name: value for name, value in campaign.nominal.items() if name in names}
     return replace(from_table(nominal, f"{INDEX}: nominal"), site=campaign.site)

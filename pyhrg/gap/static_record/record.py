@@ -19,10 +19,6 @@ HEADER_BYTES = 4096
 """Bytes at the start of a file in which the header of a table is expected."""
 
 
-class RecordError(HrgError):
-    """The record can't be diagnosed; the message says why."""
-
-
 @dataclass(frozen=True)
 class Channel:
     """The readings of one sensor at rest.
@@ -74,9 +70,9 @@ def read_static_record(path: Path, trusted: bool = False) -> StaticRecord:
 
     Raises:
         pyhrg.records.imu.log.LogError, pyhrg.records.LogError: the file can't be used.
-        RecordError: it is too short, or a channel never changes.
+        HrgError: it is too short, or a channel never changes.
     """
-    if BENCH_COLUMN in read_unpacked(path, RecordError)[:HEADER_BYTES]:
+    if BENCH_COLUMN in read_unpacked(path, HrgError)[:HEADER_BYTES]:
         return _take_bench_log(read_log(path))
     imu = recorded.read_imu_log(path, trusted).increments
     channels = [
@@ -96,14 +92,12 @@ def channel_from_increments(
     """
     increments = np.asarray(increments, dtype=np.float64)
     if len(increments) < MIN_READINGS:
-        raise RecordError(
-            f"{name}: found {len(increments)} readings, expected {MIN_READINGS} or more"
-        )
+        raise HrgError(f"{name}: found {len(increments)} readings, expected {MIN_READINGS} or more")
     if not np.all(np.isfinite(increments)):
         row = int(np.argmin(np.isfinite(increments)))
-        raise RecordError(f"{name}: reading {row}: found {increments[row]}, expected a number")
+        raise HrgError(f"{name}: reading {row}: found {increments[row]}, expected a number")
     if np.ptp(increments) == 0:
-        raise RecordError(f"{name}: found {increments[0]:g} in all readings, expected noise")
+        raise HrgError(f"{name}: found {increments[0]:g} in all readings, expected noise")
     angle = np.cumsum(increments - np.mean(increments))
     return Channel(name, kind, interval, angle, temperature, find_quantization_step(increments))
 

@@ -3,7 +3,8 @@
 from collections.abc import Mapping
 from pathlib import Path
 
-from pyhrg.gap.static_record.belief import Belief, BeliefError, read_beliefs
+from pyhrg.common.errors import HrgError
+from pyhrg.gap.static_record.belief import Belief, read_beliefs
 from pyhrg.gap.static_record.fit.diagnosis import diagnose_channel
 from pyhrg.gap.static_record.fit.hypotheses import FALSE_ALARMS
 from pyhrg.gap.static_record.record import StaticRecord, read_static_record
@@ -31,8 +32,8 @@ def diagnose_record(
         seed: of the importance samples.
 
     Raises:
-        BeliefError: the belief is wrong, or holds none of the record's sensors.
-        LogError, RecordError: the file can't be used.
+        HrgError: the belief is wrong, or holds none of the record's sensors; the file can't be
+            used.
         OSError: the folder can't be written.
     """
     beliefs = belief if isinstance(belief, Mapping) else read_beliefs(Path(belief))
@@ -57,7 +58,7 @@ def _compare_with_beliefs(
     channels = [c for c in record.channels if c.name in known]
     if not channels:
         kinds = " and ".join(sorted({c.kind.table for c in record.channels}))
-        raise BeliefError(f"{record.source}: found a record of {kinds}, expected a belief of them")
+        raise HrgError(f"{record.source}: found a record of {kinds}, expected a belief of them")
     false_alarms = FALSE_ALARMS / len(channels)
     diagnoses = tuple(diagnose_channel(c, known[c.name], false_alarms, seed) for c in channels)
     shared = compute_shared_power([c.part(0, c.half) for c in record.channels])

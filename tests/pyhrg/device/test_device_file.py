@@ -8,13 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pyhrg.common.errors import HrgError
 from pyhrg.common.keys import Key
 from pyhrg.common.site import Site
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.device import device_file
 from pyhrg.device.declarations import read_declarations
 from pyhrg.device.device import FMU_NAMES, AngleMap, Device
-from pyhrg.device.device_file import DeviceError
 from pyhrg.device.keys import KEYS, SITE_KEYS
 from pyhrg.device.parameters.installation import InstallationParameters
 from pyhrg.device.parameters.laboratory import LaboratoryParameters
@@ -80,7 +80,7 @@ def test_the_fmu_takes_what_the_file_allows(fmu: GyroFmu, key: Key) -> None:
 def test_out_of_range_names_file_key_found_and_expected(tmp_path: Path, key: Key) -> None:
     for wrong in (key.low - 1e-3 * (1 + abs(key.low)), key.high + 1e-3 * (1 + abs(key.high))):
         with pytest.raises(
-            DeviceError, match=rf"device\.toml: {key.name}: found .*, expected {key.low:g}"
+            HrgError, match=rf"device\.toml: {key.name}: found .*, expected {key.low:g}"
         ):
             read(tmp_path, f"{key.name} = {wrong!r}")
 
@@ -139,15 +139,15 @@ def test_a_campaigns_nominal_is_a_device() -> None:
     ],
 )  # fmt: skip
 def test_bad_files_are_refused(tmp_path: Path, text: str, message: str) -> None:
-    with pytest.raises(DeviceError, match=rf"device\.toml: (?s:{message})"):
+    with pytest.raises(HrgError, match=rf"device\.toml: (?s:{message})"):
         read(tmp_path, text)
 
 
 def test_unreadable_files_are_refused(tmp_path: Path) -> None:
-    with pytest.raises(DeviceError, match=re.escape("none.toml: can't be read: No such file")):
+    with pytest.raises(HrgError, match=re.escape("none.toml: can't be read: No such file")):
         device_file.read(tmp_path / "none.toml")
     (tmp_path / "latin.toml").write_bytes(b'name = "\xe9"')
-    with pytest.raises(DeviceError, match=r"latin\.toml: found what is no text in utf-8"):
+    with pytest.raises(HrgError, match=r"latin\.toml: found what is no text in utf-8"):
         device_file.read(tmp_path / "latin.toml")
 
 

@@ -64,8 +64,8 @@ class Fmu:
         """Root of a document inside; an empty element where there is none."""
         if name not in self.names:
             return ET.Element("none")
-        with open_archive(self.path, HrgError) as archive:
-            return parse_xml(name, archive.read(name), HrgError)
+        with open_archive(self.path) as archive:
+            return parse_xml(name, archive.read(name))
 
     @cached_property
     def identifiers(self) -> set[str]:
@@ -116,11 +116,11 @@ class Fmu:
 
 def open_fmu(path: Path) -> Fmu:
     """Open an FMU."""
-    with open_archive(path, HrgError) as archive:
+    with open_archive(path) as archive:
         entries = tuple(archive.entries)
         if DESCRIPTION not in (entry.filename for entry in entries):
             raise HrgError(f"{path} holds no {DESCRIPTION}")
-        root = parse_xml(f"{DESCRIPTION} in {path}", archive.read(DESCRIPTION), HrgError)
+        root = parse_xml(f"{DESCRIPTION} in {path}", archive.read(DESCRIPTION))
     version = root.get("fmiVersion", "none")
     if not version.startswith(("2.", "3.")):
         raise HrgError(f"{path} is of FMI version {version}; expected 2.0 or 3.0")

@@ -85,7 +85,7 @@ class Importer:
                 raise MissingError(f"{self.name} can't be loaded ({reason}): {self.install}")
             if run.returncode or not result.exists():
                 raise FailedError(read_last_line(run.stdout + run.stderr))
-            return Recording(**read_json(result, FailedError))
+            return Recording(**read_json(result))
 
 
 def run_fmpy(experiment: Experiment) -> Recording:

@@ -116,8 +116,8 @@ def read_study_data(folder: Path) -> StudyData:
     Raises:
         HrgError: a file is missing or can't be read; or as `check_study_data`.
     """
-    table = read_parquet(folder / TABLE, HrgError)
-    document = read_json(folder / DOCUMENT, HrgError)
+    table = read_parquet(folder / TABLE)
+    document = read_json(folder / DOCUMENT)
     return check_study_data(table, document, f"{folder}/")
 
 
@@ -151,7 +151,7 @@ def _read_score(entry: Any, place: str) -> Score:
     if unknown := sorted(set(entry) - known):
         raise HrgError(f"{place}: found {unknown[0]}, expected only {', '.join(sorted(known))}")
     numbers = {k: np.nan if entry.get(k) is None else entry[k] for k in ("value", "low", "high")}
-    with refuse_unreadable(place, "score", HrgError):
+    with refuse_unreadable(place, "score"):
         score = Score(**{**entry, **numbers})
         for field in fields(Score):
             value = getattr(score, field.name)

@@ -8,7 +8,6 @@ from typing import TypeVar
 from ins_eval.trajectories.keys import Checked, build_from_table
 from ins_eval.trajectories.manoeuvres.vocabulary import MANOEUVRES, OVERLAYS
 from ins_eval.trajectories.mission import Deflection, Mission, Start
-from pyhrg.common.errors import HrgError
 from pyhrg.common.toml_table import TomlTable, read_table
 
 TOP_LEVEL_KEYS = ("name", "start", "deflection", "departure", "course", "overlays", "repeat")
@@ -29,7 +28,7 @@ def read_mission(path: Path) -> Mission:
         HrgError: an unreadable file; a key that is unknown or missing; a value of the wrong
             type or out of range.
     """
-    top = read_table(path, HrgError)
+    top = read_table(path)
     top.check_known(TOP_LEVEL_KEYS)
     course = _build_all(top, "course", MANOEUVRES)
     if not course:

@@ -183,8 +183,8 @@ def _to_angles(origin: Array, moved: Array) -> Array:
 
 
 def _read_rows(path: Path) -> list[list[float]]:
-    text = decode(path, read_unpacked(path, HrgError), error_class=HrgError)
-    lines = parse_csv(path, text, error_class=HrgError)
+    text = decode(path, read_unpacked(path))
+    lines = parse_csv(path, text)
     _, names = next(lines, (1, []))
     header = [name.strip() for name in names]
     missing = [name for name in COLUMNS if name not in header]

@@ -88,7 +88,7 @@ def read_campaign(folder: Path | str) -> Campaign:
         CampaignError: there is no index, it has another schema, or a key is missing or has a wrong
             value.
     """
-    index = read_json_table(Path(folder) / INDEX, CampaignError)
+    index = read_json_table(Path(folder) / INDEX)
     index.text("schema", None, (SCHEMA,))
     for key, expected in (("site", "a table"), ("nominal", "a table"), ("tests", "a list")):
         index.require(key, expected)

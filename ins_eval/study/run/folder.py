@@ -84,7 +84,7 @@ def _check(path: Path, identity: Identity) -> None:
             raise HrgError(f"{path}: found {others[0]}, expected an empty folder or a study's")
         write_whole(file, identity.text.encode())
         return
-    found = read_json(file, HrgError)
+    found = read_json(file)
     if differs := find_difference(found.get("study"), identity.study):
         key, here, asked = differs
         raise HrgError(

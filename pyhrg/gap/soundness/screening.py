@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from pyhrg.common.errors import HrgError
 from pyhrg.device.device import Device
 from pyhrg.device.device_file import from_table
 from pyhrg.device.keys import KEYS
@@ -195,7 +196,7 @@ def _screen_test(test: Test, nominal: Device) -> ScreenedTest | str:
             raise LogError(
                 f"{log.source}: time_s: expected two rows at least, and time to increase"
             )
-    except LogError as error:
+    except HrgError as error:
         return f"{test.id}: not used: {error}"
     notes = [f"{log.source}: {note}" for note in log.exclusions]
     log, mended = mend_inputs(log)
@@ -204,7 +205,7 @@ def _screen_test(test: Test, nominal: Device) -> ScreenedTest | str:
     try:
         log, filled = complete_inputs(apply_exclusions(log, wrong_inputs), nominal)
         log, interrupted = mend_drive(log, nominal)
-    except LogError as error:
+    except HrgError as error:
         return "; ".join([f"{test.id}: not used: {error}", *notes])
     angles = check_angles(log, nominal)
     others = check_amplitude(log) + check_swapped_forces(log, nominal)

@@ -54,7 +54,7 @@ def read_beliefs(path: Path) -> dict[str, Belief]:
         HrgError: the file can't be read; a table or key is unknown; a value is no number or
             negative; a table states no noise.
     """
-    top = read_table(path, HrgError)
+    top = read_table(path)
     if not top.values:
         raise HrgError(f"{path}: found nothing, expected {TABLES}")
     beliefs = {}
@@ -68,7 +68,7 @@ def read_beliefs(path: Path) -> dict[str, Belief]:
 
 def parse_belief(values: Mapping[str, object], kind: Kind, source: str) -> Belief:
     """The belief that a table of values states; it raises as `read_beliefs` does."""
-    table = TomlTable(source, "", values, HrgError)
+    table = TomlTable(source, "", values)
     table.check_known([*kind.by_parameter, PERIODS, TOLERANCE_PERCENT])
     lowest = {kind.ramp.parameter: -sys.float_info.max}
     stated = {

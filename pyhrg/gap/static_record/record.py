@@ -72,7 +72,7 @@ def read_static_record(path: Path, trusted: bool = False) -> StaticRecord:
         pyhrg.records.imu.log.LogError, pyhrg.records.LogError: the file can't be used.
         HrgError: it is too short, or a channel never changes.
     """
-    if BENCH_COLUMN in read_unpacked(path, HrgError)[:HEADER_BYTES]:
+    if BENCH_COLUMN in read_unpacked(path)[:HEADER_BYTES]:
         return _take_bench_log(read_log(path))
     imu = recorded.read_imu_log(path, trusted).increments
     channels = [

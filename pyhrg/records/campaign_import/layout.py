@@ -153,7 +153,7 @@ def _split_lines(source: str, text: str, layout: Layout) -> Iterator[tuple[int, 
             yield number, tuple(line.split())
         else:
             place = f"{source}: line {number}"
-            _, cells = next(parse_csv(place, line, layout.separator, LogError))
+            _, cells = next(parse_csv(place, line, layout.separator))
             yield number, tuple(cells)
 
 

@@ -85,7 +85,7 @@ def read_campaign(folder: Path | str) -> Campaign:
     """Read a campaign's index (docs/records.md); logs are read when they are asked for.
 
     Raises:
-        CampaignError: there is no index, it has another schema, or a key is missing or has a wrong
+        HrgError: there is no index, it has another schema, or a key is missing or has a wrong
             value.
     """
     index = read_json_table(Path(folder) / INDEX)
@@ -118,7 +118,7 @@ def write_campaign(campaign: Campaign, folder: Path | str) -> None:
 
     Raises:
         CampaignError: a test's id is no file name, or is there twice.
-        LogError: a log that is yet to be read can't be used.
+        HrgError: a log that is yet to be read can't be used.
         OSError: the folder can't be written.
     """
     folder = Path(folder)

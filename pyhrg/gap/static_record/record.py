@@ -69,8 +69,7 @@ def read_static_record(path: Path, trusted: bool = False) -> StaticRecord:
             rate in it contradict them.
 
     Raises:
-        pyhrg.records.imu.log.LogError, pyhrg.records.LogError: the file can't be used.
-        HrgError: it is too short, or a channel never changes.
+        HrgError: the file can't be used or is too short, or a channel never changes.
     """
     if BENCH_COLUMN in read_unpacked(path)[:HEADER_BYTES]:
         return _take_bench_log(read_log(path))

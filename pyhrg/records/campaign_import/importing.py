@@ -60,7 +60,7 @@ def import_campaign(mapping: Path | str, out: Path | str | None = None) -> Impor
 
     Raises:
         HrgError: the mapping can't be used.
-        LogError: a file, column or cell is not as the mapping says, or `read_log` would refuse
+        HrgError: a file, column or cell is not as the mapping says, or `read_log` would refuse
             the log. Rows are named by the lines of the laboratory's file.
         HrgError: there is something in `out`.
         OSError: `out` can't be written.

@@ -17,7 +17,7 @@ def read_imu_log(path: Path, trusted: bool = False) -> RecordedImu:
             contradict them.
 
     Raises:
-        LogError: the file can't be read or is cut off; a column is missing or stands there twice; a
+        HrgError: the file can't be read or is cut off; a column is missing or stands there twice; a
             row has too few or too many fields; a field is no finite number; time stands, runs back
             or steps unevenly; there are too few rows; a unit, axis or column is another than
             stated.

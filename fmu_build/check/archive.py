@@ -33,7 +33,6 @@ class Variable:
 
     @property
     def reference(self) -> str:
-        """Value reference."""
         return self.given.get("valueReference", "")
 
     @property
@@ -115,7 +114,6 @@ class Fmu:
 
 
 def open_fmu(path: Path) -> Fmu:
-    """Open an FMU."""
     with open_archive(path) as archive:
         entries = tuple(archive.entries)
         if DESCRIPTION not in (entry.filename for entry in entries):

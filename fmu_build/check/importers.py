@@ -51,7 +51,6 @@ class Importer:
     run: Callable[[Experiment], Recording]
 
     def version(self) -> str:
-        """Installed version."""
         try:
             if self.run is not run_fmi_sim:
                 return version(self.package)
@@ -89,7 +88,6 @@ class Importer:
 
 
 def run_fmpy(experiment: Experiment) -> Recording:
-    """FMPy, by `simulate_fmu`."""
     import fmpy
 
     result = fmpy.simulate_fmu(

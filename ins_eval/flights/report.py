@@ -169,7 +169,6 @@ def list_versions() -> dict[str, str]:
 
 
 def describe_alignment(alignment: Alignment) -> dict[str, Any]:
-    """An alignment as numbers with units."""
     roll, pitch, heading = map(float, alignment.euler_sigma_deg)
     return {
         "method": "fine",

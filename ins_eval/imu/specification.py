@@ -149,7 +149,6 @@ def error_keys(keys: tuple[ErrorKey, ...]) -> list[str]:
 
 
 def read_error_model(table: TomlTable, keys: tuple[ErrorKey, ...]) -> SensorErrorModel:
-    """The triad of a table."""
     values: dict[str, Any] = {key.field: _value(table, key) for key in keys}
     return SensorErrorModel(**values)
 

@@ -75,7 +75,6 @@ def navigate(
 
 
 def check_start(start: State) -> None:
-    """Check that the navigator can start from a state."""
     latitude = np.rad2deg(start.latitude)
     if not abs(start.latitude) < kernel.MAX_LATITUDE:
         hint = "; is it in degrees where radians are meant?" if abs(latitude) > 90 else ""

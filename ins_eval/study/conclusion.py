@@ -139,7 +139,6 @@ def _describe_phase_diagram(
 
 
 def _score_conditions(flights: pd.DataFrame, seed: int, inside: float) -> Iterator[Score]:
-    """Scores of each condition by itself."""
     in_conditions = flights[flights[columns.ROLE] == CONDITION]
     for _, rows in in_conditions.groupby(columns.CLASS, sort=False):
         yield from (s for s in score_flights(rows, seed, inside) if s.mission_class != ALL)

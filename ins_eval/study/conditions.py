@@ -95,7 +95,6 @@ class Condition:
     triads: Callable[[ConditionSample], TriadBlock]
 
     def plan(self, study: Study) -> StudyMission:
-        """The mission of the condition in a study."""
         hours = study.hours if self.hours is None else min(self.hours, study.hours)
         return plan_mission(self.mission, hours)
 

@@ -118,7 +118,6 @@ def run_study(
 
 
 def make_experiment() -> Experiment:
-    """The experiment of the study."""
     return Experiment(
         compute=experiment.compute_block,
         conclude=write_conclusion,

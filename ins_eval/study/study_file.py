@@ -141,7 +141,6 @@ def _read_missions(top: TomlTable, folder: Path, hours: float) -> Iterator[Plann
 
 
 def _read_mission(table: TomlTable, folder: Path, hours: float) -> PlannedMission:
-    """The mission of a table with `MISSION_KEYS`."""
     if "half" in table.values:
         raise table.error("half", table.values["half"], "no such key: all classes are judged")
     table.check_known(MISSION_KEYS)

@@ -46,7 +46,6 @@ class Archive:
         return "controller.amplitudeLoop.naturalFrequency" in self.references
 
     def find_references(self, names: Iterable[str]) -> NDArray[np.uint32]:
-        """Value references of variables."""
         names = list(names)
         for name in names:
             if name not in self.references:

@@ -46,7 +46,6 @@ class Rows(NamedTuple):
     means: Array
 
     def take(self, part: slice) -> "Rows":
-        """Some of the rows."""
         held = self.held[part.start : part.stop + 1]
         return Rows(self.moving[part], held, self.is_new[part], self.ends[part], self.means[part])
 

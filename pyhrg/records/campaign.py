@@ -105,7 +105,6 @@ def read_campaign(folder: Path | str) -> Campaign:
 
 
 def read_site(document: TomlTable) -> Site:
-    """The site that a document's table `site` states."""
     place = document.table("site")
     return Site(
         latitude=place.number("latitude_deg", None, -90.0, 90.0) * DEG,

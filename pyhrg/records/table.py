@@ -46,7 +46,6 @@ class Table:
         return replace(self, notes=(*self.notes, note))
 
     def keep_rows(self, chosen: NDArray[np.bool_]) -> "Table":
-        """The table with the chosen rows alone."""
         columns = {field: values[chosen] for field, values in self.columns.items()}
         return replace(self, rows=self.rows[chosen], columns=columns)
 

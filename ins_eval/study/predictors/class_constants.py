@@ -67,7 +67,6 @@ def fly_training_triads(
 
 
 def join_missions(ratios: Sequence[Array]) -> ConstantRule:
-    """The rule of a class from the ratios of its missions."""
     return ConstantRule(np.concatenate(ratios, axis=1))
 
 

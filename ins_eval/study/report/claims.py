@@ -149,7 +149,6 @@ def judge_claims(data: StudyData, calibration: str) -> list[JudgedClaim]:
 
 
 def state_claims(data: StudyData) -> str:
-    """The verdicts of all claims in one sentence."""
     parts = []
     for calibration in data.calibrations:
         judged = judge_claims(data, calibration)

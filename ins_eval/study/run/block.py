@@ -56,7 +56,6 @@ def count_block_triads(study: Study) -> int:
 
 
 def count_blocks(study: Study) -> int:
-    """Number of a study's blocks."""
     return -(-study.triads // count_block_triads(study))
 
 

@@ -48,7 +48,6 @@ class StudyFolder:
         return self.path / BLOCK_FOLDER
 
     def block(self, number: int) -> Path:
-        """File of a block."""
         return self.blocks / f"{number:06d}.npz"
 
 

@@ -88,7 +88,6 @@ class Outcome:
 
 
 def list_outcomes(data: StudyData) -> list[Outcome]:
-    """Outcomes by calibration and mission."""
     judged = data.table[data.table[c.ROLE] == TEST]
     return [
         Outcome(

@@ -52,7 +52,6 @@ class TestResult:
 
     @property
     def name(self) -> str:
-        """Name of the test."""
         return self.procedure.name
 
     @property
@@ -184,7 +183,6 @@ class BenchResults:
         return {failure.procedure.name: failure.reason for failure in failed}
 
     def __getitem__(self, name: str) -> TestResult:
-        """Result of a test by its name."""
         for result in self.results:
             if result.name == name:
                 return result

@@ -37,7 +37,6 @@ def make_findings_table(findings: Sequence[Finding]) -> Table:
 
 
 def format_finding(finding: Finding) -> tuple[str, str, str]:
-    """Value, 95 % interval and unit of a finding."""
     decimals = _choose_decimals(finding)
     low, high = finding.interval_in_unit
     interval = f"{_format_number(low, decimals)} to {_format_number(high, decimals)}"

@@ -22,7 +22,6 @@ def make_paragraph(text: str, style: str = "") -> str:
 
 
 def make_table(content: Table) -> str:
-    """A table with its title."""
     rows = [_make_row(content.header, "th"), *(_make_row(cells, "td") for cells in content.rows)]
     return f"<table><caption>{html.escape(content.title)}</caption>{''.join(rows)}</table>"
 

@@ -48,7 +48,6 @@ class Archive:
 
 @contextmanager
 def open_archive(path: Path) -> Iterator[Archive]:
-    """An archive, open for reading."""
     with open_file(path) as file:
         with refuse_unreadable(path, "intact ZIP file"):
             archive = zipfile.ZipFile(file)

@@ -34,7 +34,6 @@ def read_toml(path: Path) -> dict[str, Any]:
 
 
 def parse_xml(source: object, data: bytes) -> ET.Element:
-    """The root of an XML document."""
     check_size(source, len(data), XML_BYTES)
     with refuse_unreadable(source, "XML"):
         return ET.fromstring(data)

@@ -59,6 +59,5 @@ def decode(
     data: bytes,
     encoding: str = "utf-8-sig",
 ) -> str:
-    """The text that bytes are in an encoding."""
     with refuse_unreadable(source, f"text in {encoding}"):
         return data.decode(encoding)

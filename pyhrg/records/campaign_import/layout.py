@@ -97,7 +97,6 @@ class Cells:
 
 
 def read_layout(table: TomlTable) -> Layout:
-    """The layout that a table of a mapping states."""
     table.check_known(
         (
             *("separator", "decimal", "comment", "encoding", "missing"),
@@ -124,7 +123,6 @@ def read_layout(table: TomlTable) -> Layout:
 
 
 def read_cells(path: Path, layout: Layout) -> Cells:
-    """The cells of a file."""
     lines = _split_lines(path.name, read_text(path, layout.encoding), layout)
     names: tuple[str, ...] = ()
     if layout.header:

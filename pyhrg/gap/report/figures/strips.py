@@ -116,7 +116,6 @@ def _draw_strip(strip: Strip, band: Band, across: Scale, up: Scale, stroke: floa
 
 
 def _draw_band(band: Band, across: Scale, up: Scale) -> str:
-    """A rectangle for each bin."""
     sides = across(band.x - band.width / 2), across(band.x + band.width / 2)
     corners = zip(*sides, up(-band.half), up(band.half), strict=True)
     return "".join(f"M{a:.1f} {c:.1f}H{b:.1f}V{d:.1f}H{a:.1f}z" for a, b, c, d in corners)

@@ -62,7 +62,6 @@ def _state_closed_noise(d: ChannelDiagnosis) -> dict[str, object]:
 
 
 def build_page(result: RecordDiagnosis) -> str:
-    """The page as HTML."""
     title = f"Noise of {result.source}"
     pairs = zip(result.channel_diagnoses, result.shared, strict=True)
     body = [

@@ -147,15 +147,15 @@ def _score_conditions(flights: pd.DataFrame, seed: int, inside: float) -> Iterat
 def _score_constants(study: Study, trained: Mapping[Method, Training]) -> Iterator[Score]:
     """The constant of each class for both bench tests, with its interval over training triads."""
     for method, training in trained.items():
-        for mission_class, rules in training.rules.items():
-            for key, rule in rules.items():
-                constant = bootstrap(compute_constant, [rule.ratios], study.seed)
+        for mission_class, by_predictor in training.ratios.items():
+            for key, ratios in by_predictor.items():
+                constant = bootstrap(compute_constant, [ratios], study.seed)
                 yield constant.score(
                     score=score.CLASS_CONSTANT,
                     predictor=key,
                     calibration=method,
                     mission_class=mission_class,
                     role=TRAIN,
-                    n=len(rule.ratios),
+                    n=len(ratios),
                     seed=study.seed,
                 )

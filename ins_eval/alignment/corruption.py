@@ -14,6 +14,7 @@ from ins_eval.alignment.result import Alignment
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.increments import Increments
+from pyhrg.records.saturation import find_runs
 
 Rows = NDArray[np.int64]
 
@@ -102,7 +103,8 @@ def _measure_spikes(samples: Array) -> Array:
 def _check_stuck(record: Increments, sensor: str, samples: Array) -> None:
     change = np.linalg.norm(np.diff(samples, axis=0), axis=1)
     same = change <= ROUNDING * np.max(np.abs(samples))
-    starts, lengths = _find_runs(same)
+    starts, ends = find_runs(same)
+    lengths = ends - starts
     long = lengths * record.interval >= MAX_REPEAT_DURATION
     if not long.any() or _is_smooth(change, starts[long], lengths[long]):
         return
@@ -126,9 +128,3 @@ def _is_smooth(change: Array, starts: Rows, lengths: Rows) -> bool:
         outside[start : start + length] = False
     varying = change[outside & (change > 0)]
     return varying.size == 0 or bool(np.max(change[edges]) < EASING_RATIO * np.median(varying))
-
-
-def _find_runs(same: NDArray[np.bool_]) -> tuple[Rows, Rows]:
-    """Return the first places and the lengths of all runs of True."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], same, [False]]).astype(np.int64)))
-    return edges[::2], edges[1::2] - edges[::2]

@@ -99,10 +99,6 @@ class Condition:
         return plan_mission(self.mission, hours)
 
 
-def _keep_triads(sample: ConditionSample) -> TriadBlock:
-    return sample.triads
-
-
 def _remove_power_on_bias(sample: ConditionSample) -> TriadBlock:
     """A constant is subtracted: the bench's bias map at the angle where each pattern starts."""
     triads = sample.triads
@@ -164,7 +160,7 @@ CONDITIONS = (
         "the pattern stays near its power-on angle, so that only the map's value there matters",
         "straight-and-level",
         LEVEL_FLIGHT_HOURS,
-        _keep_triads,
+        lambda sample: sample.triads,
     ),
     Condition(
         "straight and level for an hour, bias at power-on taken out",

@@ -26,6 +26,7 @@ from fmu_build.equations.translate import translate
 from fmu_build.roots import ROOTS
 from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu, record_together
+from pyhrg.fmu.gyro import Gyro
 
 HERE = Path(__file__).parent
 REPEATS = 5
@@ -60,6 +61,12 @@ def seconds_per_tick(*command: object) -> float:
     return float(run.stdout.split()[0])
 
 
+def turn(gyro: Gyro, rates: np.ndarray, step: float) -> np.ndarray:
+    """The gyro's angle, rad, at the end of steps of a rate each, rad/s."""
+    ends, _ = gyro.record({"angularRate": rates[:, None]}, {}, step, ["gyroAngle"])
+    return ends[:, 0]
+
+
 def check_yardstick(hand: Path, fmu: GyroFmu) -> None:
     """The hand-written tick is a yardstick only while it computes what the FMU does: same bits."""
     anisotropy, density, ticks = 1e-6, 1e-12, 10_000
@@ -70,7 +77,7 @@ def check_yardstick(hand: Path, fmu: GyroFmu) -> None:
         "noise.angleRandomWalk": density,
     }
     with fmu.power_on(parameters, 1, START) as gyro:
-        assert float(run.stdout.split()[1]) == gyro.advance(0.0, ticks / 1000)
+        assert float(run.stdout.split()[1]) == turn(gyro, np.zeros(1), ticks / 1000)[0]
 
 
 class Speed:
@@ -99,7 +106,7 @@ class Speed:
         with self.fmu.power_on(TYPICAL.fmu_parameters(), 0, START) as gyro:
             period = gyro.read("samplePeriod")
             begin = time.process_time()
-            gyro.advance(0.0, TICKS * period)
+            gyro.instance.slave.doStep(0.0, TICKS * period)
             return (time.process_time() - begin) / TICKS
 
     def hosted(self) -> float:
@@ -121,7 +128,7 @@ class Speed:
         for seed in range(3):
             with self.fmu.power_on(TYPICAL.fmu_parameters(), seed, START) as gyro:
                 begin = time.process_time()
-                angles.append(gyro.drive(self.rates, STEP))
+                angles.append(turn(gyro, self.rates, STEP))
                 elapsed += time.process_time() - begin
         assert np.array_equal(np.concatenate(angles), np.fromfile(self.folder / "out"))
         return elapsed / (3 * len(self.rates) * STEP * 1000)

@@ -78,7 +78,7 @@ def build_fmu(
         progress: is called with each step's name.
 
     Raises:
-        TranslationError, BuildError: the message says what is wrong.
+        HrgError: the message says what is wrong.
         OSError: the cache or `out` can't be written.
     """
     root = _find_root(model) if class_file is None else _make_root(Path(class_file))

@@ -9,11 +9,12 @@ from pathlib import Path
 
 import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from fmu_build.bundle import build_fmu
 from fmu_build.roots import ROOTS
 from pyhrg.common.arguments import check_number, check_whole_number
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG, ZERO_CELSIUS
 from pyhrg.device.device import Device
@@ -21,7 +22,6 @@ from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.device.ready_devices import load_device
 from pyhrg.fmu import GyroFmu
 
-Array = NDArray[np.float64]
 Signal = ArrayLike | Callable[[Array], ArrayLike]
 """An input: one number, one number a row, or a function of an array of times since power-on (s)."""
 

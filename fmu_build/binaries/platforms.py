@@ -86,7 +86,6 @@ def compile_library(
     target: Platform,
     flags: Sequence[str] = FLAGS,
 ) -> bytes:
-    """Shared library of the C sources in a folder."""
     headers = Path(fmpy.__file__).parent / "c-code"
     library = folder / target.name / f"{identifier}{target.suffix}"
     library.parent.mkdir()

@@ -18,10 +18,6 @@ BASE_TYPES = {"Real", "Integer", "Boolean", "String", "Enumeration"}
 """Elements that hold a variable's type in FMI 2.0."""
 
 
-class UnusableError(HrgError):
-    """No FMU that can be checked: not a ZIP file, or without a description that can be read."""
-
-
 @dataclass(frozen=True)
 class Variable:
     """A variable of FMI 2.0 or 3.0: common attributes and those of its type in one."""
@@ -37,7 +33,6 @@ class Variable:
 
     @property
     def reference(self) -> str:
-        """Value reference."""
         return self.given.get("valueReference", "")
 
     @property
@@ -68,8 +63,8 @@ class Fmu:
         """Root of a document inside; an empty element where there is none."""
         if name not in self.names:
             return ET.Element("none")
-        with open_archive(self.path, UnusableError) as archive:
-            return parse_xml(name, archive.read(name), UnusableError)
+        with open_archive(self.path) as archive:
+            return parse_xml(name, archive.read(name))
 
     @cached_property
     def identifiers(self) -> set[str]:
@@ -119,13 +114,12 @@ class Fmu:
 
 
 def open_fmu(path: Path) -> Fmu:
-    """Open an FMU."""
-    with open_archive(path, UnusableError) as archive:
+    with open_archive(path) as archive:
         entries = tuple(archive.entries)
         if DESCRIPTION not in (entry.filename for entry in entries):
-            raise UnusableError(f"{path} holds no {DESCRIPTION}")
-        root = parse_xml(f"{DESCRIPTION} in {path}", archive.read(DESCRIPTION), UnusableError)
+            raise HrgError(f"{path} holds no {DESCRIPTION}")
+        root = parse_xml(f"{DESCRIPTION} in {path}", archive.read(DESCRIPTION))
     version = root.get("fmiVersion", "none")
     if not version.startswith(("2.", "3.")):
-        raise UnusableError(f"{path} is of FMI version {version}; expected 2.0 or 3.0")
+        raise HrgError(f"{path} is of FMI version {version}; expected 2.0 or 3.0")
     return Fmu(path, entries, root)

@@ -65,8 +65,8 @@ def _fmi_sim(experiment: Experiment, path: Path) -> Trace:
             # the error with its causes, without the trace of the stack
             head = run.stderr.partition("Stack backtrace")[0].rpartition("Error: ")[2]
             raise FailedError(" ".join(head.split()) or read_last_line(run.stderr))
-        text = decode(output, read_bytes(output, LOG_BYTES, FailedError), error_class=FailedError)
-        (_, header), _, *rows = parse_csv("output", text, error_class=FailedError)
+        text = decode(output, read_bytes(output, LOG_BYTES))
+        (_, header), _, *rows = parse_csv("output", text)
     places = {name: header.index(name) for name in experiment.outputs}
     return {name: [float(row[place]) for _, row in rows] for name, place in places.items()}
 

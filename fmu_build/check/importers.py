@@ -51,7 +51,6 @@ class Importer:
     run: Callable[[Experiment], Recording]
 
     def version(self) -> str:
-        """Installed version."""
         try:
             if self.run is not run_fmi_sim:
                 return version(self.package)
@@ -85,11 +84,10 @@ class Importer:
                 raise MissingError(f"{self.name} can't be loaded ({reason}): {self.install}")
             if run.returncode or not result.exists():
                 raise FailedError(read_last_line(run.stdout + run.stderr))
-            return Recording(**read_json(result, FailedError))
+            return Recording(**read_json(result))
 
 
 def run_fmpy(experiment: Experiment) -> Recording:
-    """FMPy, by `simulate_fmu`."""
     import fmpy
 
     result = fmpy.simulate_fmu(

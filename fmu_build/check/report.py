@@ -8,7 +8,6 @@ from pathlib import Path
 from fmu_build.check.archive import Fmu, open_fmu
 from fmu_build.check.experiment import (
     Experiment,
-    FailedError,
     Trace,
     find_missing_binary,
     plan_experiment,
@@ -68,7 +67,7 @@ def check_fmu(path: Path | str, *, progress: Callable[[Check], None] | None = No
         progress: is called with each check as it ends.
 
     Raises:
-        UnusableError: the file is no FMU that can be read.
+        HrgError: the file is no FMU that can be read.
     """
     path = Path(path)
     done = []
@@ -144,7 +143,7 @@ def _run(importer: Importer, planned: Experiment, traces: dict[str, Trace]) -> C
         recording = importer.recording(planned)
     except MissingError as error:
         return Check(name, skipped=str(error))
-    except FailedError as error:
+    except HrgError as error:
         return Check(name, [str(error)])
     traces[importer.name] = recording.trace
     return Check(name, remark=recording.remark)

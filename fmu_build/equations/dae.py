@@ -102,7 +102,6 @@ class Dae:
 
     @property
     def scalar_count(self) -> int:
-        """Number of scalars in all variables."""
         return sum(variable.count for variable in self.variables)
 
     @property

@@ -12,16 +12,12 @@ COMPILER_VERSION = "0.10.2"
 SCHEMA_VERSION = 43
 
 
-class TranslationError(HrgError):
-    """The Modelica text, or what the compiler made of it, can't be translated."""
-
-
 def translate(library: Path, model: str, source: str = "", file: Path | None = None) -> Dae:
     """Flat equations of a model of a library (the folder of `package.mo`) by its full name, e.g.
     `HRG.Gyroscopes.HRG`. A model that is not the library's own but uses it is given as its Modelica
     text, `source`, or as the `file` that holds it."""
     if rumoca.version() != COMPILER_VERSION:
-        raise TranslationError(
+        raise HrgError(
             f"rumoca {rumoca.version()} is installed; expected {COMPILER_VERSION}, "
             "for which the generator is written"
         )
@@ -34,12 +30,12 @@ def translate(library: Path, model: str, source: str = "", file: Path | None = N
             loaded = rumoca.Session().load(str(library / "package.mo"), model=model)
         document = loaded.to_dict("dae")
     except rumoca.RumocaError as error:
-        raise TranslationError(f"{model}: {error}") from error
+        raise HrgError(f"{model}: {error}") from error
     if document["schema_version"] != SCHEMA_VERSION:
-        raise TranslationError(
+        raise HrgError(
             f"rumoca wrote schema {document['schema_version']}; expected {SCHEMA_VERSION}"
         )
     try:
         return read_document(model, document["storage"], document["source_map"])
     except ValueError as error:
-        raise TranslationError(f"{model}: {error}") from error
+        raise HrgError(f"{model}: {error}") from error

@@ -9,11 +9,12 @@ from ins_eval.alignment.inertial_frame import (
     fit_inertial_frame,
 )
 from ins_eval.alignment.kalman.fine import align_by_kalman_filter
-from ins_eval.alignment.result import Alignment, AlignmentError
+from ins_eval.alignment.result import Alignment
 from ins_eval.alignment.shown_latitude import check_latitude
 from ins_eval.common import earth
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.common.arrays import Array
+from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.increments import Increments
 
 MIN_DURATION = 30.0
@@ -49,7 +50,7 @@ def align(
             vehicle whose tilt may creep by less than its accelerometers show.
 
     Raises:
-        AlignmentError: a record that can't be aligned on; the message says why.
+        HrgError: a record that can't be aligned on; the message says why.
     """
     _check_record(record, position)
     check_samples(record)
@@ -66,14 +67,14 @@ def _check_record(record: Increments, position: Array) -> None:
     if bad.any():
         row = int(np.argmax(bad))
         values = [*record.rotation[row], *record.velocity[row]]
-        raise AlignmentError(f"increment {row}: {values}: expected finite numbers")
+        raise HrgError(f"increment {row}: {values}: expected finite numbers")
     if record.duration < MIN_DURATION:
-        raise AlignmentError(
+        raise HrgError(
             f"record of {record.duration:g} s: expected at least {MIN_DURATION:g} s; "
             "heading comes from Earth's rotation and takes minutes"
         )
     if not (np.isfinite(position).all() and abs(position[0]) <= MAX_LATITUDE):
-        raise AlignmentError(
+        raise HrgError(
             f"latitude {np.rad2deg(position[0]):.4g} deg, height {position[2]:g} m: expected "
             f"finite numbers, latitude within {np.rad2deg(MAX_LATITUDE):g} deg of the "
             "equator: at a pole there is no north to find"
@@ -84,7 +85,7 @@ def _check_record(record: Increments, position: Array) -> None:
         hint = (
             ": is the velocity in g s instead of m/s?" if abs(force - 1) < FORCE_TOLERANCE else ""
         )
-        raise AlignmentError(
+        raise HrgError(
             f"mean specific force {force:.4g} m/s^2: expected gravity, {gravity:.4g} m/s^2, "
             f"within {100 * FORCE_TOLERANCE:g} %{hint}"
         )
@@ -93,7 +94,7 @@ def _check_record(record: Increments, position: Array) -> None:
 def _check_standing(fit: InertialFrameFit, gravity: float) -> None:
     speed = estimate_sway_velocity(fit, gravity)
     if speed > MAX_SWAY_VELOCITY:
-        raise AlignmentError(
+        raise HrgError(
             f"velocity changes by {speed:.3g} m/s (one sigma) between spans of {fit.span:g} s: "
             f"expected at most {MAX_SWAY_VELOCITY:g} m/s of a standing vehicle with rotation in rad"
         )

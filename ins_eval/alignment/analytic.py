@@ -4,11 +4,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ins_eval.alignment.bias_instability import mean_variance
-from ins_eval.alignment.result import AlignmentError
 from ins_eval.common import earth
 from ins_eval.common.rotation import mat_from_euler
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.common.arrays import Array
+from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.increments import Increments
 
 
@@ -22,7 +22,7 @@ def level_and_gyrocompass(record: Increments, latitude: float) -> Array:
     force = record.velocity.sum(axis=0) / duration
     rate = record.rotation.sum(axis=0) / duration
     if abs(np.linalg.norm(rate) / earth.RATE - 1) > 0.5 or abs(np.cos(latitude)) < 0.01:
-        raise AlignmentError(
+        raise HrgError(
             f"mean rate {np.linalg.norm(rate):.2e} rad/s "
             f"at latitude {np.rad2deg(latitude):.1f} deg; "
             f"expected about Earth's {earth.RATE:.2e} rad/s, away from the poles"

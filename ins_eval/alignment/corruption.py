@@ -10,9 +10,11 @@ from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from ins_eval.alignment.kalman.dead_reckoning import MIN_STEPS
-from ins_eval.alignment.result import Alignment, AlignmentError
+from ins_eval.alignment.result import Alignment
 from pyhrg.common.arrays import Array
+from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.increments import Increments
+from pyhrg.records.saturation import find_runs
 
 Rows = NDArray[np.int64]
 
@@ -71,7 +73,7 @@ def _check_normalised(time: Array, normalised: Array, verb: str, limit: float) -
     size = np.max(np.abs(normalised), axis=1)
     worst = int(np.argmax(size))
     if size[worst] > limit:
-        raise AlignmentError(
+        raise HrgError(
             f"at {time[worst]:.1f} s: displacement {verb} by {size[worst]:.3g} sigma: "
             f"expected at most {limit:g} of a standing vehicle: a sensor failed, the vehicle "
             "moved, gyros and accelerometers contradict each other, or the sensors' errors are "
@@ -84,7 +86,7 @@ def _check_spikes(record: Increments, sensor: str, samples: Array) -> None:
     height = _measure_spikes(samples) / record.interval
     if height.size and (worst := float(height.max())) > limit:
         row = int(np.argmax(height.max(axis=1))) + 1
-        raise AlignmentError(
+        raise HrgError(
             f"at {record.bounds[row]:.2f} s, increment {row}: {sensor} {samples[row]} "
             f"exceeds both its neighbours by {worst:.3g} {unit}: expected at most {limit:g} "
             f"{unit} of a standing vehicle"
@@ -101,14 +103,15 @@ def _measure_spikes(samples: Array) -> Array:
 def _check_stuck(record: Increments, sensor: str, samples: Array) -> None:
     change = np.linalg.norm(np.diff(samples, axis=0), axis=1)
     same = change <= ROUNDING * np.max(np.abs(samples))
-    starts, lengths = _find_runs(same)
+    starts, ends = find_runs(same)
+    lengths = ends - starts
     long = lengths * record.interval >= MAX_REPEAT_DURATION
     if not long.any() or _is_smooth(change, starts[long], lengths[long]):
         return
     longest = int(np.argmax(lengths))
     share = (same.sum() - lengths[longest]) / (len(same) - lengths[longest])
     if len(same) * share ** lengths[longest] < MIN_EXPECTED_REPEATS:
-        raise AlignmentError(
+        raise HrgError(
             f"{sensor} stuck from {record.bounds[starts[longest]]:.2f} s: the same sample for "
             f"{lengths[longest] * record.interval:.4g} s, where {100 * share:.2g} % of the others "
             f"repeat the one before: expected less than {MAX_REPEAT_DURATION:g} s"
@@ -125,9 +128,3 @@ def _is_smooth(change: Array, starts: Rows, lengths: Rows) -> bool:
         outside[start : start + length] = False
     varying = change[outside & (change > 0)]
     return varying.size == 0 or bool(np.max(change[edges]) < EASING_RATIO * np.median(varying))
-
-
-def _find_runs(same: NDArray[np.bool_]) -> tuple[Rows, Rows]:
-    """Return the first places and the lengths of all runs of True."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], same, [False]]).astype(np.int64)))
-    return edges[::2], edges[1::2] - edges[::2]

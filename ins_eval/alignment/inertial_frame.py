@@ -11,7 +11,6 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ins_eval.alignment.result import AlignmentError
 from ins_eval.common import earth
 from ins_eval.navigation.algebra import (
     add,
@@ -24,6 +23,7 @@ from ins_eval.navigation.body_step import integrate_body_step
 from ins_eval.navigation.coefficients import StepCoefficients, derive_coefficients
 from pyhrg.common.arrays import Array
 from pyhrg.common.caches.compiled import compile_loop
+from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.increments import Increments
 
 SPANS = 20
@@ -61,7 +61,7 @@ def fit_inertial_frame(record: Increments, position: Array) -> InertialFrameFit:
     """Solve Wahba's problem for the velocity changes of the spans."""
     steps = len(record) // (SAMPLES * SPANS)
     if steps < 1:
-        raise AlignmentError(f"{len(record)} increments: expected at least {SPANS * SAMPLES}")
+        raise HrgError(f"{len(record)} increments: expected at least {SPANS * SAMPLES}")
     used = record.between(len(record) - steps * SAMPLES * SPANS, len(record))
     gained = np.empty((SPANS, 3))
     integrate_in_inertial_frame(

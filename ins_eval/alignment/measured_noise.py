@@ -54,7 +54,7 @@ def measure_noise(record: Increments, position: Array, stated: SensorErrors) -> 
         position: (3,) latitude, longitude, rad, and height, m.
 
     Raises:
-        AlignmentError: a record that can't be aligned on.
+        HrgError: a record that can't be aligned on.
     """
     walks = (stated.angle_random_walk, stated.velocity_random_walk)
     prior = np.log([w or unstated for w, unstated in zip(walks, UNSTATED, strict=True)])

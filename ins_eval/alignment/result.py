@@ -14,10 +14,6 @@ MIN_ANGLE_FROM_VERTICAL = np.deg2rad(1.0)
 closer, they are one rotation."""
 
 
-class AlignmentError(HrgError):
-    """The record can't be aligned on; the message says why."""
-
-
 @dataclass(frozen=True)
 class History:
     """Estimates over the record.
@@ -52,7 +48,7 @@ class Alignment:
         """Heading, clockwise from north, 0 to 360 deg.
 
         Raises:
-            AlignmentError: the nose points along the vertical; roll and sigmas raise it too.
+            HrgError: the nose points along the vertical; roll and sigmas raise it too.
         """
         self._check_readable()
         return float(np.rad2deg(euler_from_mat(self.mat_nb)[2]) % 360)
@@ -86,7 +82,7 @@ class Alignment:
 
     def _check_readable(self) -> None:
         if abs(self.pitch_deg * DEG) > np.pi / 2 - MIN_ANGLE_FROM_VERTICAL:
-            raise AlignmentError(
+            raise HrgError(
                 f"pitch {self.pitch_deg:.4g} deg: heading and roll are one rotation within "
                 f"{np.rad2deg(MIN_ANGLE_FROM_VERTICAL):g} deg of the vertical; use mat_nb and "
                 "covariance"

@@ -7,9 +7,9 @@ Gravity gives the vertical, and the gyros give Earth's rate about it: RATE sin(l
 import numpy as np
 
 from ins_eval.alignment.analytic import mean_rate_variance
-from ins_eval.alignment.result import AlignmentError
 from ins_eval.common import earth
 from ins_eval.common.sensor_errors import SensorErrors
+from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.increments import Increments
 
 MAX_RATE_DEVIATION = 0.2
@@ -48,7 +48,7 @@ def check_latitude(record: Increments, latitude: float, errors: SensorErrors) ->
         reason = ": latitude, or gyros?"
         if measured * expected < 0:
             reason = ": latitude's sign, or gyros reversed?"
-        raise AlignmentError(
+        raise HrgError(
             f"gyros show latitude {shown:.2f} deg: expected the stated "
             f"{np.rad2deg(latitude):.2f} deg; rate about the vertical {measured:.3g} rad/s: "
             f"expected {expected:.3g} rad/s within {bound:.2g} rad/s"

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.stats import binom, ttest_1samp
+from scipy.stats import quantile_test, ttest_1samp
 
 from pyhrg.common.pages.svg import format_interval
 
@@ -12,18 +12,14 @@ MIN_SAMPLE_FOR_MEDIAN = 6
 """Smallest sample whose range contains the median with 95 % confidence: 1 - 2 / 2^6 = 96.9 %."""
 
 
-def median_interval(sample: ArrayLike, confidence: float = 0.95) -> tuple[float, float]:
-    """Distribution-free confidence interval of a sample's median.
-
-    The interval reaches from the k-th smallest to the k-th largest value. k is the largest number
-    with a binomial probability P(fewer than k values below the median) <= (1 - confidence)/2.
-    """
-    ordered = np.sort(np.asarray(sample, dtype=float))
-    n = len(ordered)
-    below = int(binom.ppf((1 - confidence) / 2, n, 0.5)) - 1
-    if below < 0:
-        raise ValueError(f"{n} values can't bound the median with {confidence:.0%} confidence")
-    return float(ordered[below]), float(ordered[n - 1 - below])
+def median_interval(sample: ArrayLike) -> tuple[float, float]:
+    """Distribution-free 95 % confidence interval of the median of `MIN_SAMPLE_FOR_MEDIAN` values or
+    more, from the k-th smallest to the k-th largest by the binomial distribution."""
+    values = np.asarray(sample, dtype=float)
+    if len(values) < MIN_SAMPLE_FOR_MEDIAN:
+        raise ValueError(f"{len(values)} values can't bound the median with 95% confidence")
+    low, high = quantile_test(values, p=0.5).confidence_interval(0.95)
+    return float(low), float(high)
 
 
 @dataclass(frozen=True)

@@ -62,12 +62,10 @@ BIASES = (gyro_bias(), accelerometer_bias())
 
 
 def gyro_scale_factor() -> Effect:
-    """Relative scale-factor error of the gyros."""
     return Effect("gyro scale factor", "gyro", lambda motion: motion.rate)
 
 
 def accelerometer_scale_factor() -> Effect:
-    """Relative scale-factor error of the accelerometers."""
     return Effect("accelerometer scale factor", "accelerometer", lambda motion: motion.force)
 
 

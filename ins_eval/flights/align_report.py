@@ -120,7 +120,6 @@ class AlignedRecord:
         return {"prior": self.prior, "measured": measured}
 
     def _make_document(self) -> dict[str, Any]:
-        """Content of align.json."""
         record, increments, error = self.record, self.record.increments, self._find_error_deg()
         return {
             "schema": SCHEMA,

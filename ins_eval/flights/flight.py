@@ -10,11 +10,12 @@ from ins_eval.alignment.result import Alignment
 from ins_eval.common.state import Track
 from ins_eval.flights.plan import Plan
 from ins_eval.flights.truth import Truth
-from ins_eval.imu.imu import Imu, ImuReading, StartUpError
+from ins_eval.imu.imu import Imu, ImuReading
 from ins_eval.mission_model.missions import SETTLING
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
 from ins_eval.navigation.strapdown import navigate
 from pyhrg.common.arrays import Array
+from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.increments import Increments
 
 
@@ -81,7 +82,7 @@ def hold_height(plan: Plan, heights: Array) -> Height:
 def _run(plan: Plan, truth: Truth, imu: Imu, seed: int) -> Run:
     measured = imu.measure(truth.increments, seed)
     if measured.ready is not None and not np.all(measured.ready[truth.warm :]):
-        raise StartUpError(
+        raise HrgError(
             f"{imu.name}: gyros are not ready throughout; expected them to be {SETTLING:g} s after "
             "power-on, when alignment begins, and from then on"
         )

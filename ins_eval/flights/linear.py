@@ -159,6 +159,5 @@ def _motion(plan: Plan, truth: Truth, first: int, count: int) -> Motion:
 
 
 def clip_negative_eigenvalues(symmetric: Array) -> Array:
-    """The matrix without its negative eigenvalues."""
     values, vectors = np.linalg.eigh(0.5 * (symmetric + symmetric.T))
     return np.asarray((vectors * np.maximum(values, 0.0)) @ vectors.T)

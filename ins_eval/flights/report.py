@@ -171,7 +171,6 @@ def describe_flight(plan: Plan, trajectory: str, imu: str, imu_digest: str) -> d
 
 
 def describe_alignment(alignment: Alignment) -> dict[str, Any]:
-    """An alignment as numbers with units."""
     roll, pitch, heading = map(float, alignment.euler_sigma_deg)
     return {
         "method": "fine",

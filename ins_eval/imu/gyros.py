@@ -52,7 +52,6 @@ class FmuGyros:
     fmu: GyroFmu | None = None
 
     def devices(self, generator: np.random.Generator) -> list[Device]:
-        """Draw the three devices."""
         drawn = [self.device.another(generator) if self.own_axes else self.device for _ in "xyz"]
         return [replace(d, **own) for d, own in zip(drawn, self.differences, strict=True)]
 

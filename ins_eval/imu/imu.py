@@ -15,10 +15,6 @@ from pyhrg.common.units import STANDARD_GRAVITY
 from pyhrg.records.imu.increments import Increments
 
 
-class StartUpError(HrgError):
-    """The gyros are not ready when alignment begins."""
-
-
 @dataclass(frozen=True)
 class ImuReading:
     """Output of an IMU.

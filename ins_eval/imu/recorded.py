@@ -15,6 +15,6 @@ def read_record(path: str | Path, trusted: bool = False) -> RecordedImu:
             contradict them.
 
     Raises:
-        LogError: an unreadable file, or one with wrong or contradictory content.
+        HrgError: an unreadable file, or one with wrong or contradictory content.
     """
     return read_imu_log(Path(path), trusted)

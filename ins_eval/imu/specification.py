@@ -9,9 +9,9 @@ from ins_eval.imu.imu import Imu
 from ins_eval.imu.mounting import ORTHOGONAL, Mounting, MountingError, make_mounting
 from ins_eval.imu.sensor_error_model import AxisConstants, SensorErrorModel
 from ins_eval.imu.stated_gyros import StatedGyros
-from pyhrg.common.toml_table import SpecificationError, TomlTable, read_table
+from pyhrg.common.errors import HrgError
+from pyhrg.common.toml_table import TomlTable, read_table
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G, PPM
-from pyhrg.device.device_file import DeviceError
 from pyhrg.device.ready_devices import READY, load_device
 
 READY_FOLDER = Path(__file__).with_name("ready")
@@ -68,12 +68,12 @@ def load_imu(name_or_path: str | Path) -> Imu:
     """Load an IMU that comes with the package (`list_imus`), or one from a TOML file.
 
     Raises:
-        SpecificationError: neither a name nor a file, or a file that is wrong (`read_imu`).
+        HrgError: neither a name nor a file, or a file that is wrong (`read_imu`).
     """
     if str(name_or_path) in list_imus():
         return read_imu(READY_FOLDER / f"{name_or_path}.toml")
     if not Path(name_or_path).is_file():
-        raise SpecificationError(
+        raise HrgError(
             f"{name_or_path}: found no such file, expected one or {', '.join(list_imus())}"
         )
     return read_imu(Path(name_or_path))
@@ -91,7 +91,7 @@ def read_imu(path: Path) -> Imu:
             the keys of `ACCELEROMETERS`.
 
     Raises:
-        SpecificationError: an unreadable file, an unknown key, a value of the wrong type or range.
+        HrgError: an unreadable file, an unknown key, a value of the wrong type or range.
     """
     table = read_table(path)
     table.check_known(("name", "rate_hz", "gyros", "accelerometers"))
@@ -131,18 +131,15 @@ def _gyros(table: TomlTable, folder: Path) -> FmuGyros | StatedGyros:
 def _fmu_gyros(table: TomlTable, folder: Path) -> FmuGyros:
     table.check_known(("device", "own_axes", "calibrated", "mounting", *GYRO_KEYS))
     name = table.text("device", "typical")
-    try:
-        return FmuGyros(
-            load_device(name if name in READY else folder / name),
-            own_axes=table.flag("own_axes", True),
-            calibrated=table.flag("calibrated", True),
-            differences=tuple(
-                read_differences(table.table(place).values, f"{table.source}: gyros.{place}")
-                for place in GYRO_KEYS
-            ),
-        )
-    except DeviceError as error:
-        raise SpecificationError(str(error)) from error
+    return FmuGyros(
+        load_device(name if name in READY else folder / name),
+        own_axes=table.flag("own_axes", True),
+        calibrated=table.flag("calibrated", True),
+        differences=tuple(
+            read_differences(table.table(place).values, f"{table.source}: gyros.{place}")
+            for place in GYRO_KEYS
+        ),
+    )
 
 
 def error_keys(keys: tuple[ErrorKey, ...]) -> list[str]:
@@ -152,7 +149,6 @@ def error_keys(keys: tuple[ErrorKey, ...]) -> list[str]:
 
 
 def read_error_model(table: TomlTable, keys: tuple[ErrorKey, ...]) -> SensorErrorModel:
-    """The triad of a table."""
     values: dict[str, Any] = {key.field: _value(table, key) for key in keys}
     return SensorErrorModel(**values)
 

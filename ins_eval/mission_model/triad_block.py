@@ -54,5 +54,4 @@ class TriadBlock:
         return len(self.start_angle)
 
     def select(self, rows: Sequence[int] | slice) -> "TriadBlock":
-        """The triads of these rows, in their order."""
         return TriadBlock(**{f.name: getattr(self, f.name)[rows] for f in fields(self)})

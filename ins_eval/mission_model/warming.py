@@ -12,7 +12,6 @@ from pyhrg.common.arrays import Array
 
 
 def compute_case_warmth(time: Array) -> Array:
-    """Warmth of the case."""
     return np.asarray(1 - np.exp(-(time + STILL) / CASE_WARM_UP))
 
 
@@ -22,7 +21,6 @@ def compute_case_warming_rate(time: Array) -> Array:
 
 
 def compute_resonator_warmth(time: Array) -> Array:
-    """Warmth of the resonator."""
     resonator, case = _compute_lags(time)
     return np.asarray(1 - (WARM_UP * resonator - CASE_WARM_UP * case) / (WARM_UP - CASE_WARM_UP))
 

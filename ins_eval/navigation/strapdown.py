@@ -16,10 +16,6 @@ from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.increments import Increments
 
 
-class NavigationError(HrgError):
-    """The navigator can't start or can't go on; the message says where and why."""
-
-
 def navigate(
     start: State,
     increments: Increments,
@@ -41,13 +37,13 @@ def navigate(
 
     Raises:
         HrgError: `samples` out of range; heights of the wrong number or not finite.
-        NavigationError: numbers of increments that do not match; a start within half a degree of a
+        HrgError: numbers of increments that do not match; a start within half a degree of a
             pole; an attitude that is not a rotation matrix; increments that are not finite; a path
             that reaches a pole or diverges.
     """
     count = len(increments)
     if count % samples or keep_every % samples or not 1 <= keep_every <= count:
-        raise NavigationError(
+        raise HrgError(
             f"found {count} increments and keep_every {keep_every}: expected multiples of samples, "
             f"{samples}, and keep_every at most the number of increments"
         )
@@ -69,7 +65,7 @@ def navigate(
     )
     if steps < count // samples:
         step = increments.between(steps * samples, (steps + 1) * samples)
-        raise NavigationError(_describe_stop(step, latitude, reached))
+        raise HrgError(_describe_stop(step, latitude, reached))
     return Track(
         time=increments.bounds[keep_every::keep_every],
         position=rows[:, :3].copy(),
@@ -79,21 +75,18 @@ def navigate(
 
 
 def check_start(start: State) -> None:
-    """Check that the navigator can start from a state."""
     latitude = np.rad2deg(start.latitude)
     if not abs(start.latitude) < kernel.MAX_LATITUDE:
         hint = "; is it in degrees where radians are meant?" if abs(latitude) > 90 else ""
-        raise NavigationError(
+        raise HrgError(
             f"start at latitude {latitude:.4g} deg; expected within "
             f"{np.rad2deg(kernel.MAX_LATITUDE):g} deg of the equator, short of the poles{hint}"
         )
     if np.shape(start.velocity) != (3,):
-        raise NavigationError(
-            f"start with a velocity of shape {np.shape(start.velocity)}: expected (3,)"
-        )
+        raise HrgError(f"start with a velocity of shape {np.shape(start.velocity)}: expected (3,)")
     values = [start.longitude, start.height, *start.velocity]
     if not np.all(np.isfinite(values)):
-        raise NavigationError(f"start at {values}: expected finite numbers")
+        raise HrgError(f"start at {values}: expected finite numbers")
     check_rotation(start.mat_nb)
 
 
@@ -101,11 +94,11 @@ def check_rotation(matrix: Array) -> None:
     """Check that a matrix is a finite rotation matrix (3, 3)."""
     matrix = np.asarray(matrix)
     if np.shape(matrix) != (3, 3) or not np.all(np.isfinite(matrix)):
-        raise NavigationError(f"attitude of shape {np.shape(matrix)}: expected a finite 3 x 3")
+        raise HrgError(f"attitude of shape {np.shape(matrix)}: expected a finite 3 x 3")
     deviation = float(np.max(np.abs(matrix @ matrix.T - np.eye(3))))
     determinant = float(np.linalg.det(matrix))
     if deviation > 1e-6 or determinant < 0:
-        raise NavigationError(
+        raise HrgError(
             f"attitude is not a rotation matrix: C C' differs from 1 by {deviation:.1e}, "
             f"determinant {determinant:.3g}; expected at most 1e-6, and 1"
         )
@@ -115,11 +108,11 @@ def check_increments(increments: Increments) -> None:
     """Check shapes and interval of increments; the compiled loop checks that values are finite."""
     shapes = np.shape(increments.rotation), np.shape(increments.velocity)
     if shapes != ((len(increments), 3),) * 2:
-        raise NavigationError(
+        raise HrgError(
             f"increments of shapes {shapes[0]} and {shapes[1]}: expected (n, 3) both, the same n"
         )
     if not 0 < increments.interval < np.inf:
-        raise NavigationError(f"increments of {increments.interval} s: expected longer than 0 s")
+        raise HrgError(f"increments of {increments.interval} s: expected longer than 0 s")
 
 
 def _describe_stop(step: Increments, latitude: float, height: float) -> str:

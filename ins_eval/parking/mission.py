@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 from ins_eval.alignment.analytic import level_and_gyrocompass
 from ins_eval.common.rotation import euler_from_mat
 from ins_eval.common.state import State, position_error
-from ins_eval.imu.imu import StartUpError
 from ins_eval.mission_model.missions import STILL
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.arrays import Array
+from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.increments import Increments
 
 INTERVAL = 0.01
@@ -79,7 +79,7 @@ def find_ready_time(good: NDArray[np.bool_] | None) -> float:
     rest = round(STILL / INTERVAL)
     first = int(np.max(np.flatnonzero(~good[:rest]), initial=-1)) + 1
     if first == rest:
-        raise StartUpError(f"gyros are not ready {STILL:g} s after power-on, when alignment ends")
+        raise HrgError(f"gyros are not ready {STILL:g} s after power-on, when alignment ends")
     return first * INTERVAL - STILL
 
 

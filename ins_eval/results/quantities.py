@@ -16,7 +16,6 @@ class Quantity:
 
     @property
     def column(self) -> str:
-        """Name with unit."""
         return self.name + SUFFIXES[self.unit]
 
     @property

@@ -23,7 +23,6 @@ def write_table(table: pd.DataFrame, path: Path) -> None:
 
 
 def write_csv(dataset: xr.Dataset, path: Path) -> None:
-    """The dataset's table as CSV."""
     write_table(tabulate(dataset), path)
 
 

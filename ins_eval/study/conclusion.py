@@ -139,7 +139,6 @@ def _describe_phase_diagram(
 
 
 def _score_conditions(flights: pd.DataFrame, seed: int, inside: float) -> Iterator[Score]:
-    """Scores of each condition by itself."""
     in_conditions = flights[flights[columns.ROLE] == CONDITION]
     for _, rows in in_conditions.groupby(columns.CLASS, sort=False):
         yield from (s for s in score_flights(rows, seed, inside) if s.mission_class != ALL)
@@ -148,15 +147,15 @@ def _score_conditions(flights: pd.DataFrame, seed: int, inside: float) -> Iterat
 def _score_constants(study: Study, trained: Mapping[Method, Training]) -> Iterator[Score]:
     """The constant of each class for both bench tests, with its interval over training triads."""
     for method, training in trained.items():
-        for mission_class, rules in training.rules.items():
-            for key, rule in rules.items():
-                constant = bootstrap(compute_constant, [rule.ratios], study.seed)
+        for mission_class, by_predictor in training.ratios.items():
+            for key, ratios in by_predictor.items():
+                constant = bootstrap(compute_constant, [ratios], study.seed)
                 yield constant.score(
                     score=score.CLASS_CONSTANT,
                     predictor=key,
                     calibration=method,
                     mission_class=mission_class,
                     role=TRAIN,
-                    n=len(rule.ratios),
+                    n=len(ratios),
                     seed=study.seed,
                 )

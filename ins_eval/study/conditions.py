@@ -95,13 +95,8 @@ class Condition:
     triads: Callable[[ConditionSample], TriadBlock]
 
     def plan(self, study: Study) -> StudyMission:
-        """The mission of the condition in a study."""
         hours = study.hours if self.hours is None else min(self.hours, study.hours)
         return plan_mission(self.mission, hours)
-
-
-def _keep_triads(sample: ConditionSample) -> TriadBlock:
-    return sample.triads
 
 
 def _remove_power_on_bias(sample: ConditionSample) -> TriadBlock:
@@ -165,7 +160,7 @@ CONDITIONS = (
         "the pattern stays near its power-on angle, so that only the map's value there matters",
         "straight-and-level",
         LEVEL_FLIGHT_HOURS,
-        _keep_triads,
+        lambda sample: sample.triads,
     ),
     Condition(
         "straight and level for an hour, bias at power-on taken out",

@@ -59,7 +59,6 @@ NOISE_IN_FLIGHT = 1
 
 
 def make_distribution(study: Study, method: Method) -> TriadDistribution:
-    """The distribution from which the triads of a calibration are drawn."""
     own = {name: replace(d, **study.settings.get(name, {})) for name, d in DEFAULT_SETTINGS.items()}
     return TriadDistribution(
         population=own[POPULATION_TABLE[method]],
@@ -99,12 +98,10 @@ def compute_block(study: Study, triads: range) -> Arrays:
 
 
 def list_methods(study: Study) -> list[Method]:
-    """The calibrations of a study, in the order of `METHODS`."""
     return [method for method in METHODS if method in study.calibrations]
 
 
 def select_triads(arrays: Arrays, method: Method) -> TriadBlock:
-    """The triads of a calibration."""
     return TriadBlock(**_select_fields(TriadBlock, arrays, method))
 
 

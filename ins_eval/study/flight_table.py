@@ -22,7 +22,6 @@ from ins_eval.study.experiment import (
     select_triads,
 )
 from ins_eval.study.gyros.makers_calibration import Method
-from ins_eval.study.predictors.class_constants import ConstantRule, join_missions
 from ins_eval.study.predictors.prediction_columns import (
     TrainedModel,
     compute_class_ratios,
@@ -39,19 +38,19 @@ from ins_eval.study.tables.table import make_table
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_H, HOUR, MICRO_G
 
-Rules = Mapping[str, ConstantRule]
-"""Rules of a class by predictor."""
+Ratios = Mapping[str, Array]
+"""(r, n) errors of the training triads' flights in units of the usual rule, by predictor."""
 
 
 @dataclass(frozen=True)
 class Training:
     """What the training triads of a calibration teach.
 
-    model: of the drift of maps; rules: constant rules of each mission class.
+    model: of the drift of maps; ratios: of each mission class.
     """
 
     model: TrainedModel
-    rules: Mapping[str, Rules]
+    ratios: Mapping[str, Ratios]
 
 
 def train_methods(study: Study, arrays: Arrays) -> dict[Method, Training]:
@@ -73,8 +72,8 @@ def train_methods(study: Study, arrays: Arrays) -> dict[Method, Training]:
     return trained
 
 
-def _join(missions: Sequence[Mapping[str, Array]]) -> Rules:
-    return {key: join_missions([each[key] for each in missions]) for key in missions[0]}
+def _join(missions: Sequence[Ratios]) -> Ratios:
+    return {key: np.concatenate([each[key] for each in missions], axis=1) for key in missions[0]}
 
 
 def tabulate_flights(study: Study, arrays: Arrays, trained: Mapping[Method, Training]) -> pa.Table:
@@ -95,7 +94,7 @@ def _tabulate(
     for method, training in trained.items():
         triads = select_triads(arrays, method)
         for number, mission in enumerate(study.missions):
-            rules = training.rules[mission.mission_class]
+            ratios = training.ratios[mission.mission_class]
             yield _make_rows(
                 {columns.TRIAD: list(range(study.triads)), columns.ROLE: roles},
                 {
@@ -105,7 +104,7 @@ def _tabulate(
                 },
                 select_errors(arrays, method, number),
                 select_cosimulated(arrays, method, number),
-                _list_predictions(study, triads, weights[number], training.model, rules),
+                _list_predictions(study, triads, weights[number], training.model, ratios),
                 weights[number],
             )
         if method == MEAN and study.conditions:
@@ -119,7 +118,6 @@ def _tabulate_conditions(study: Study, arrays: Arrays, training: Training) -> It
         weights = load_mission_weights(mission)
         learned = select_triads(arrays, MEAN).select(slice(study.training))
         ratios = compute_class_ratios(select_time(weights, -1), learned, training.model, study.seed)
-        rules = _join([ratios])
         yield _make_rows(
             {columns.TRIAD: numbers},
             {
@@ -130,7 +128,7 @@ def _tabulate_conditions(study: Study, arrays: Arrays, training: Training) -> It
             },
             errors,
             np.full((*errors.radial.shape, 2), np.nan),
-            _list_predictions(study, triads, weights, training.model, rules),
+            _list_predictions(study, triads, weights, training.model, ratios),
             weights,
         )
 
@@ -184,11 +182,11 @@ def _list_predictions(
     triads: TriadBlock,
     weights: MissionWeights,
     model: TrainedModel,
-    rules: Rules,
+    ratios: Ratios,
 ) -> dict[str, Any]:
     """Bench figures, and what predictors make of them for the end of the mission."""
     end = select_time(weights, -1)
-    predicted = predict_all(end, triads, model, rules, study.seed)
+    predicted = predict_all(end, triads, model, ratios, study.seed)
     ranked = tabulate_rankings(end, triads)
     return (
         _list_bench_figures(triads)

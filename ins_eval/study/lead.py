@@ -31,7 +31,6 @@ _GYRO, _NOISE, _ANGLES = range(3)
 
 
 def plan_lead() -> StudyMission:
-    """The mission of the lead case."""
     return plan_mission(MISSION, HOURS)
 
 

@@ -12,12 +12,13 @@ from ins_eval.study import experiment
 from ins_eval.study.conclusion import FILES, write_conclusion
 from ins_eval.study.run.run import Cluster, Experiment, Progress, run_experiment
 from ins_eval.study.specification import Study
-from ins_eval.study.study_data import StudyData, StudyDataError, read_study_data
+from ins_eval.study.study_data import StudyData, read_study_data
 from ins_eval.study.study_file import load_study
 from ins_eval.study.summary.figure import draw_scatter
 from ins_eval.study.summary.text import state_verdict, summarize
 from ins_eval.study.tables.columns import COLUMNS
 from pyhrg.common.arguments import check_seed
+from pyhrg.common.errors import HrgError
 
 
 @dataclass(frozen=True)
@@ -74,7 +75,7 @@ class StudyResult:
         known = self._data.calibrations
         chosen = calibration or known[0]
         if chosen not in known:
-            raise StudyDataError(
+            raise HrgError(
                 f"calibration: found {chosen!r}, expected {' or '.join(map(repr, known))}"
             )
         axes = ax if ax is not None else Figure(layout="constrained").subplots()
@@ -117,7 +118,6 @@ def run_study(
 
 
 def make_experiment() -> Experiment:
-    """The experiment of the study."""
     return Experiment(
         compute=experiment.compute_block,
         conclude=write_conclusion,

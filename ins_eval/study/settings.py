@@ -52,7 +52,7 @@ def read_settings(top: TomlTable) -> dict[str, Settings]:
     """Settings of the tables that a study file has.
 
     Raises:
-        SpecificationError: an unknown key, a value out of range, a range of which one end is
+        HrgError: an unknown key, a value out of range, a range of which one end is
             missing or whose lower end is above the upper one.
     """
     read: dict[str, Settings] = {

@@ -31,11 +31,6 @@ KINDS = {"int": "iu", "number": "f", "text": "OUT", "numbers": "O"}
 """Kinds of numpy arrays in which each kind of column may be stored."""
 
 
-class StudyDataError(HrgError):
-    """A folder does not hold a study's results; the message names file, column or key, what was
-    found and what was expected."""
-
-
 @dataclass(frozen=True)
 class StudyData:
     """Flights and scores of a study.
@@ -88,12 +83,10 @@ def check_study_data(
         source: folder in messages.
 
     Raises:
-        StudyDataError: a column or key is missing or of another kind; there are no rows.
+        HrgError: a column or key is missing or of another kind; there are no rows.
     """
     if not len(table):
-        raise StudyDataError(
-            f"{source}{TABLE}: found no rows, expected one for each triad and mission"
-        )
+        raise HrgError(f"{source}{TABLE}: found no rows, expected one for each triad and mission")
     for column in columns.COLUMNS:
         _check_column(table, column, source)
     about = {k: v for k, v in document.items() if k != "scores"}
@@ -111,7 +104,7 @@ def check_study_data(
 
 def _check_level(found: Any, source: str) -> None:
     if not isinstance(found, int | float) or not 0 < found < 100:
-        raise StudyDataError(
+        raise HrgError(
             f"{source}{DOCUMENT}: {INTERVAL_PERCENT}: found {found!r}, expected a number between "
             "0 and 100"
         )
@@ -121,21 +114,21 @@ def read_study_data(folder: Path) -> StudyData:
     """The study in a folder.
 
     Raises:
-        StudyDataError: a file is missing or can't be read; or as `check_study_data`.
+        HrgError: a file is missing or can't be read; or as `check_study_data`.
     """
-    table = read_parquet(folder / TABLE, StudyDataError)
-    document = read_json(folder / DOCUMENT, StudyDataError)
+    table = read_parquet(folder / TABLE)
+    document = read_json(folder / DOCUMENT)
     return check_study_data(table, document, f"{folder}/")
 
 
 def _check_column(table: pd.DataFrame, column: columns.Column, source: str) -> None:
     if column.name not in table:
-        raise StudyDataError(
+        raise HrgError(
             f"{source}{TABLE}: found no column {column.name}, expected it ({column.what})"
         )
     kind = table[column.name].dtype.kind
     if kind not in KINDS[column.kind]:
-        raise StudyDataError(
+        raise HrgError(
             f"{source}{TABLE}: column {column.name}: found {table[column.name].dtype}, "
             f"expected {column.kind}"
         )
@@ -145,7 +138,7 @@ def _read_scores(document: Mapping[str, Any], source: str) -> list[Score]:
     entries = document.get("scores")
     if not isinstance(entries, list):
         found = type(entries).__name__ if "scores" in document else "nothing"
-        raise StudyDataError(f"{source}{DOCUMENT}: scores: found {found}, expected a list")
+        raise HrgError(f"{source}{DOCUMENT}: scores: found {found}, expected a list")
     return [
         _read_score(entry, f"{source}{DOCUMENT}: scores[{i}]") for i, entry in enumerate(entries)
     ]
@@ -153,21 +146,19 @@ def _read_scores(document: Mapping[str, Any], source: str) -> list[Score]:
 
 def _read_score(entry: Any, place: str) -> Score:
     if not isinstance(entry, dict):
-        raise StudyDataError(f"{place}: found {entry!r}, expected an object")
+        raise HrgError(f"{place}: found {entry!r}, expected an object")
     known = {field.name for field in fields(Score)}
     if unknown := sorted(set(entry) - known):
-        raise StudyDataError(
-            f"{place}: found {unknown[0]}, expected only {', '.join(sorted(known))}"
-        )
+        raise HrgError(f"{place}: found {unknown[0]}, expected only {', '.join(sorted(known))}")
     numbers = {k: np.nan if entry.get(k) is None else entry[k] for k in ("value", "low", "high")}
-    with refuse_unreadable(place, "score", StudyDataError):
+    with refuse_unreadable(place, "score"):
         score = Score(**{**entry, **numbers})
         for field in fields(Score):
             value = getattr(score, field.name)
             kind: Any = int | float if field.type is float else field.type
             if not isinstance(value, kind):
                 found = f"{field.name}: found {quote(value)}"
-                raise StudyDataError(f"{place}: {found}, expected it as a study writes it")
+                raise HrgError(f"{place}: {found}, expected it as a study writes it")
             if field.type is float:
                 float(value)  # an integer may be too large
     predictors = ["", *(p.key for p in columns.PREDICTORS), *columns.FIGURE_TITLES]
@@ -179,4 +170,4 @@ def _read_score(entry: Any, place: str) -> Score:
 def _check_known(key: str, found: str, expected: Sequence[str], place: str) -> None:
     if found not in expected:
         names = ", ".join(filter(None, expected))
-        raise StudyDataError(f"{place}: found {key} {found}, expected one of {names}")
+        raise HrgError(f"{place}: found {key} {found}, expected one of {names}")

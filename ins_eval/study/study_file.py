@@ -19,7 +19,7 @@ from ins_eval.trajectories.recordings import find_recording
 from pyhrg.common.errors import HrgError
 from pyhrg.common.reading.files import read_bytes
 from pyhrg.common.reading.limits import LOG_BYTES
-from pyhrg.common.toml_table import SpecificationError, TomlTable, read_table
+from pyhrg.common.toml_table import TomlTable, read_table
 
 _FOLDER = Path(__file__).with_name("ready")
 READY = tuple(sorted(path.stem for path in _FOLDER.glob("*.toml")))
@@ -40,9 +40,7 @@ def load_study(name_or_path: str | Path, seed: int | None = None) -> Study:
     if str(name_or_path) in READY:
         return read_study(_FOLDER / f"{name_or_path}.toml", seed)
     if not Path(name_or_path).is_file():
-        raise SpecificationError(
-            f"{name_or_path}: found no such file, expected one or {', '.join(READY)}"
-        )
+        raise HrgError(f"{name_or_path}: found no such file, expected one or {', '.join(READY)}")
     return read_study(Path(name_or_path), seed)
 
 
@@ -56,7 +54,7 @@ def read_study(path: Path, seed: int | None = None) -> Study:
             from the study's, `hours`. Tables are those of `settings.SETTING_TABLES`.
 
     Raises:
-        SpecificationError: an unreadable file; a key that is unknown or missing; a value out of
+        HrgError: an unreadable file; a key that is unknown or missing; a value out of
             range; too few triads for the interval.
     """
     document = dict(read_table(path).values)
@@ -87,7 +85,7 @@ def check_triads(study: Study, source: str) -> None:
         source: name of the file in messages.
 
     Raises:
-        SpecificationError: too few triads for the interval; conditions or a sample for agreement
+        HrgError: too few triads for the interval; conditions or a sample for agreement
             with more triads than are judged, or with one; conditions without gyros that are
             calibrated at the mean.
     """
@@ -143,7 +141,6 @@ def _read_missions(top: TomlTable, folder: Path, hours: float) -> Iterator[Plann
 
 
 def _read_mission(table: TomlTable, folder: Path, hours: float) -> PlannedMission:
-    """The mission of a table with `MISSION_KEYS`."""
     if "half" in table.values:
         raise table.error("half", table.values["half"], "no such key: all classes are judged")
     table.check_known(MISSION_KEYS)

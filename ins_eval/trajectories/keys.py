@@ -6,7 +6,7 @@ from dataclasses import MISSING, Field, dataclass, field, fields
 from typing import Any, TypeGuard, TypeVar
 
 from ins_eval.trajectories.errors import TrajectoryError
-from pyhrg.common.errors import quote
+from pyhrg.common.errors import HrgError, quote
 from pyhrg.common.toml_table import TomlTable
 from pyhrg.common.units import ARCSEC, DEG
 
@@ -102,7 +102,7 @@ def build_from_table(kind: type[T], table: TomlTable, **others: Any) -> T:
     try:
         return kind(**values, **others)
     except TrajectoryError as error:
-        raise table.error_class(f"{table.source}: {table.prefix}{error}") from None
+        raise HrgError(f"{table.source}: {table.prefix}{error}") from None
 
 
 def _is_number(value: object) -> TypeGuard[float]:

@@ -5,7 +5,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TypeVar
 
-from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.keys import Checked, build_from_table
 from ins_eval.trajectories.manoeuvres.vocabulary import MANOEUVRES, OVERLAYS
 from ins_eval.trajectories.mission import Deflection, Mission, Start
@@ -18,10 +17,6 @@ MAX_REPEATS = 1_000_000
 T = TypeVar("T", bound=Checked)
 
 
-class MissionError(TrajectoryError):
-    """The file is not a mission; the message names file, manoeuvre, key, found and expected."""
-
-
 def read_mission(path: Path) -> Mission:
     """Read a mission from a TOML file.
 
@@ -30,10 +25,10 @@ def read_mission(path: Path) -> Mission:
     by default).
 
     Raises:
-        MissionError: an unreadable file; a key that is unknown or missing; a value of the wrong
+        HrgError: an unreadable file; a key that is unknown or missing; a value of the wrong
             type or out of range.
     """
-    top = read_table(path, MissionError)
+    top = read_table(path)
     top.check_known(TOP_LEVEL_KEYS)
     course = _build_all(top, "course", MANOEUVRES)
     if not course:

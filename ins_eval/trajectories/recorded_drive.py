@@ -8,10 +8,10 @@ import numpy as np
 from scipy.integrate import cumulative_simpson
 
 from ins_eval.common import earth
-from ins_eval.trajectories.errors import TrajectoryError, check_durations
+from ins_eval.trajectories.errors import check_durations
 from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.arrays import Array
-from pyhrg.common.errors import quote
+from pyhrg.common.errors import HrgError, quote
 from pyhrg.common.reading.csv_rows import parse_csv
 from pyhrg.common.reading.files import decode, read_unpacked
 from pyhrg.common.reading.limits import LARGEST_NUMBER
@@ -51,10 +51,6 @@ SUBSTEPS = 20
 """Steps a second of the joint's path. Chosen."""
 
 
-class DriveError(TrajectoryError):
-    """The file is not a drive; the message names file, row, field, found and expected."""
-
-
 @dataclass(frozen=True)
 class Drive:
     """A recorded drive in SI and rad; `time` (n,) begins at 0."""
@@ -73,7 +69,7 @@ def read_drive(path: Path) -> Drive:
     """Read a drive from a CSV file, gzipped or not.
 
     Raises:
-        DriveError: an unreadable file; a missing column; a value that is not a number or out of
+        HrgError: an unreadable file; a missing column; a value that is not a number or out of
             range; time that does not increase; a long gap; too few rows; angles that turn too fast;
             velocities that contradict the positions.
     """
@@ -115,7 +111,7 @@ def repeat_drive(drive: Drive, duration: float, still: float = 0.0) -> Trajector
     p, e = np.concatenate(position), np.concatenate(euler)
     low, high = np.deg2rad(LIMITS["latitude_deg"])
     if np.any((p[:, 0] < low) | (p[:, 0] > high)):
-        raise DriveError(
+        raise HrgError(
             f"{drive.name}: repeated for {duration / 3600:g} h it leaves latitudes "
             f"{LIMITS['latitude_deg'][0]:g} to {LIMITS['latitude_deg'][1]:g}; fly it for less"
         )
@@ -187,21 +183,19 @@ def _to_angles(origin: Array, moved: Array) -> Array:
 
 
 def _read_rows(path: Path) -> list[list[float]]:
-    text = decode(path, read_unpacked(path, DriveError), error_class=DriveError)
-    lines = parse_csv(path, text, error_class=DriveError)
+    text = decode(path, read_unpacked(path))
+    lines = parse_csv(path, text)
     _, names = next(lines, (1, []))
     header = [name.strip() for name in names]
     missing = [name for name in COLUMNS if name not in header]
     if missing:
-        raise DriveError(
-            f"{path}: column {', '.join(missing)} is missing; found {', '.join(header)}"
-        )
+        raise HrgError(f"{path}: column {', '.join(missing)} is missing; found {', '.join(header)}")
     if repeated := [name for name in COLUMNS if header.count(name) > 1]:
-        raise DriveError(f"{path}: column {', '.join(repeated)} appears more than once")
+        raise HrgError(f"{path}: column {', '.join(repeated)} appears more than once")
     places = [header.index(name) for name in COLUMNS]
     rows = [_parse_row(path, number, row, places) for number, row in lines]
     if len(rows) < MIN_ROWS:
-        raise DriveError(f"{path}: {len(rows)} rows; expected at least {MIN_ROWS}")
+        raise HrgError(f"{path}: {len(rows)} rows; expected at least {MIN_ROWS}")
     return rows
 
 
@@ -212,11 +206,11 @@ def _parse_row(path: Path, line: int, row: list[str], places: list[int]) -> list
         try:
             value = float(text)
         except ValueError:
-            raise DriveError(f"{path}: row {line}, {name}: {quote(text)} is not a number") from None
+            raise HrgError(f"{path}: row {line}, {name}: {quote(text)} is not a number") from None
         low, high = LIMITS[name]
         if not low <= value <= high:
             found = f"row {line}, {name}: {text}"
-            raise DriveError(f"{path}: {found}; expected {low:g} to {high:g}")
+            raise HrgError(f"{path}: {found}; expected {low:g} to {high:g}")
         values.append(value)
     return values
 
@@ -224,18 +218,18 @@ def _parse_row(path: Path, line: int, row: list[str], places: list[int]) -> list
 def _check_time(path: Path, time: Array) -> None:
     steps = np.diff(time)
     if time[-1] - time[0] < MIN_DURATION and np.all(steps > 0):
-        raise DriveError(
+        raise HrgError(
             f"{path}: time_s covers {time[-1] - time[0]:g} s; expected at least {MIN_DURATION:g} s"
         )
     if np.any(steps <= 0):
         row = int(np.argmax(steps <= 0)) + 1
-        raise DriveError(
+        raise HrgError(
             f"{path}: row {row + 2}, time_s: {time[row]:g} after {time[row - 1]:g}; "
             "expected time to increase"
         )
     if np.any(steps > MAX_GAP):
         row = int(np.argmax(steps > MAX_GAP)) + 1
-        raise DriveError(
+        raise HrgError(
             f"{path}: row {row + 2}, time_s: a gap of {steps[row - 1]:g} s; "
             f"expected at most {MAX_GAP:g} s"
         )
@@ -246,7 +240,7 @@ def _check_turns(path: Path, drive: Drive) -> None:
     row, axis = np.unravel_index(np.argmax(rates), rates.shape)
     fastest = rates[row, axis]
     if fastest > MAX_TURN_RATE:
-        raise DriveError(
+        raise HrgError(
             f"{path}: row {row + 3}, {EULER[axis]}: turns at {np.rad2deg(fastest):.0f} deg/s; "
             f"expected at most {np.rad2deg(MAX_TURN_RATE):.0f} deg/s"
         )
@@ -257,7 +251,7 @@ def _check_velocity(path: Path, drive: Drive) -> None:
     derived = Trajectory(drive.name, drive.time, channels).velocity(drive.time)
     difference = float(np.sqrt(np.mean(np.sum((derived - drive.velocity) ** 2, axis=1))))
     if difference > MAX_VELOCITY_DIFFERENCE:
-        raise DriveError(
+        raise HrgError(
             f"{path}: velocities differ from the positions' derivative by {difference:.1f} m/s "
             f"rms; expected at most {MAX_VELOCITY_DIFFERENCE:g} m/s: are columns swapped, or units "
             "mixed?"

@@ -29,8 +29,6 @@ from pyhrg.common.arguments import check_seed, choose_workers
 from pyhrg.common.errors import HrgError
 from pyhrg.common.made_by import check_identity
 from pyhrg.device.device import Device
-from pyhrg.fmu import GyroError
-from pyhrg.records import LogError
 from pyhrg.records.campaign import Campaign
 
 LOGS_TO_RESUME = ".records"
@@ -179,7 +177,7 @@ def _attempt(
     try:
         records = source.get_records(procedure)
         outcome = procedure.evaluate(records)
-    except (BenchError, LogError, GyroError) as error:
+    except HrgError as error:
         if len(source.procedures) == 1:
             raise
         if out is not None:

@@ -119,7 +119,7 @@ class Folder:
         asked |= {"level": settings.level, "data": settings.data}
         text = encode_json({**asked, MADE_BY: list_versions()})
         if self.settings.exists() and read_bytes(self.settings, DOCUMENT_BYTES) != text:
-            found = read_json(self.settings, ChallengeError)
+            found = read_json(self.settings)
             if differs := find_difference(found.pop(MADE_BY, None), list_versions()):
                 key, was, now = differs
                 raise ChallengeError(
@@ -134,7 +134,7 @@ class Folder:
 
     def begun(self) -> Settings:
         """The settings that the folder was begun with."""
-        table = read_json_table(self.settings, ChallengeError)
+        table = read_json_table(self.settings)
         counts = table.table("counts")
         return Settings(
             {kind: counts.whole_number(kind, None, 0, MAX_CASES) for kind in counts.values},
@@ -146,7 +146,7 @@ class Folder:
 
     def read_hashes(self) -> dict[str, str]:
         """The published hash of each truth, by case."""
-        index = read_json_table(self.index, ChallengeError)
+        index = read_json_table(self.index)
         if "cases" not in index.values:
             raise index.error("cases", None, "the cases of a challenge")
         cases = index.tables("cases")

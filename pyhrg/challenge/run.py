@@ -171,7 +171,7 @@ def _read_case(folder: Folder, name: str, published: str) -> AnyCase:
     """A case's truth, checked by its published hash, with its diagnosis or the refusal."""
     truth, out = open_truth(folder.truth(name), published), folder.diagnosis(name)
     if (out / REFUSAL).exists():
-        refusal = read_json_table(out / REFUSAL, ChallengeError).text("refused", None)
+        refusal = read_json_table(out / REFUSAL).text("refused", None)
         return RefusedCase(name, truth, refusal)
     again = folder.next.diagnosis(name)
     then = read_diagnosis(again) if (again / FILE).exists() else None

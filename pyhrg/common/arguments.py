@@ -24,7 +24,6 @@ def check_whole_number(name: str, value: int, low: int, high: int) -> int:
 
 
 def check_seed(value: int) -> int:
-    """A seed of random numbers."""
     if not isinstance(value, Integral) or not 0 <= value < 2**63:
         raise HrgError(f"seed: found {quote(value)}, expected a whole number from 0 to 2^63 - 1")
     return int(value)

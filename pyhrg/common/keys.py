@@ -37,7 +37,6 @@ class Key:
         return min(candidates, key=lambda candidate: abs(self.to_si(candidate) - value))
 
     def read(self, table: TomlTable) -> float:
-        """The SI value that a table states."""
         if self.whole:
             return table.whole_number(self.name, None, self.low, self.high)
         return self.to_si(table.number(self.name, None, self.low, self.high))

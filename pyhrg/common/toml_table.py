@@ -19,13 +19,9 @@ PROPOSALS = 4
 Chosen."""
 
 
-class SpecificationError(HrgError):
-    """The file can't be used; the message names file, key, what was found and what expected."""
-
-
 @dataclass(frozen=True)
 class TomlTable:
-    """A table of a file, whose methods raise `error_class` for a value that they can't take.
+    """A table of a file, whose methods refuse a value that they can't take.
 
     source: the file, for messages; prefix: what messages put before a key of this table, such as
     `site.` or `mission 2: `; values: the table's content.
@@ -34,7 +30,6 @@ class TomlTable:
     source: str
     prefix: str
     values: Mapping[str, Any]
-    error_class: type[HrgError] = SpecificationError
 
     def error(self, key: str, found: object, expected: str) -> HrgError:
         """Make the error about a key's value."""
@@ -45,9 +40,7 @@ class TomlTable:
         return self._make_error(key, "no such key", expected)
 
     def _make_error(self, key: str, found: str, expected: str) -> HrgError:
-        return self.error_class(
-            f"{self.source}: {self.prefix}{key}: found {found}, expected {expected}"
-        )
+        return HrgError(f"{self.source}: {self.prefix}{key}: found {found}, expected {expected}")
 
     def check_known(self, names: Collection[str]) -> None:
         """Refuse keys outside `names`; the message proposes those that resemble an unknown key."""
@@ -149,11 +142,11 @@ def describe_range(low: float, high: float) -> str:
     return f"a number of at least {low:g}" if math.isinf(high) else f"{low:g} to {high:g}"
 
 
-def read_table(path: Path, error_class: type[HrgError] = SpecificationError) -> TomlTable:
+def read_table(path: Path) -> TomlTable:
     """The whole content of a TOML file."""
-    return TomlTable(str(path), "", read_toml(path, error_class), error_class)
+    return TomlTable(str(path), "", read_toml(path))
 
 
-def read_json_table(path: Path, error_class: type[HrgError]) -> TomlTable:
+def read_json_table(path: Path) -> TomlTable:
     """The whole content of a JSON file, whose objects are tables."""
-    return TomlTable(str(path), "", read_json(path, error_class), error_class)
+    return TomlTable(str(path), "", read_json(path))

@@ -7,7 +7,6 @@ from typing import Any
 
 import tomli_w
 
-from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
 from pyhrg.common.keys import Key, read_fields
 from pyhrg.common.site import Site
@@ -34,10 +33,6 @@ NOMINAL = (
 """Keys of design values: known before any test, while errors are for the tests to find."""
 
 
-class DeviceError(HrgError):
-    """A device file can't be used; the message names file, key, what was found and expected."""
-
-
 def read(path: Path) -> Device:
     """The device in a TOML file; an empty file is an ideal gyro.
 
@@ -46,13 +41,13 @@ def read(path: Path) -> Device:
     finding), `[model]` (other parameters of the FMU, by its names, SI) and `[turn_on_scatter]`
     (standard deviations of parameters of the FMU from power-on to power-on, by its names, SI).
     """
-    return _read_device(read_table(path, DeviceError))
+    return _read_device(read_table(path))
 
 
 def from_table(document: Mapping[str, Any], source: str) -> Device:
     """The device with the keys and values of a device file, such as a campaign's `nominal`; the
     source is their file or place, for messages."""
-    return _read_device(TomlTable(source, "", document, DeviceError))
+    return _read_device(TomlTable(source, "", document))
 
 
 def write(device: Device, path: Path) -> None:

@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
+from pyhrg.common.errors import HrgError
 from pyhrg.device import device_file
 from pyhrg.device.device import Device
-from pyhrg.device.device_file import DeviceError
 
 __all__ = ["READY", "TABLE2", "TYPICAL", "Device", "load_device"]
 
@@ -20,13 +20,13 @@ def load_device(name_or_path: str | Path) -> Device:
         name_or_path: one of `READY`, or a device file (TOML).
 
     Raises:
-        DeviceError: neither a name nor a file, or a file that can't be used.
+        HrgError: neither a name nor a file, or a file that can't be used.
     """
     if str(name_or_path) in READY:
         return device_file.read(_FOLDER / f"{name_or_path}.toml")
     path = Path(name_or_path)
     if not path.is_file():
-        raise DeviceError(f"{path}: found no such file, expected one or {', '.join(READY)}")
+        raise HrgError(f"{path}: found no such file, expected one or {', '.join(READY)}")
     return device_file.read(path)
 
 

@@ -31,7 +31,7 @@ class Archive:
 
     def __init__(self, path: Path) -> None:
         """Read the description and extract the archive, once."""
-        with refuse_unreadable(path, "FMU", GyroError):
+        with refuse_unreadable(path, "FMU"):
             self.description = fmpy.read_model_description(str(path))
         self.folder = _extract(path)
         self.references: dict[str, int] = {
@@ -46,7 +46,6 @@ class Archive:
         return "controller.amplitudeLoop.naturalFrequency" in self.references
 
     def find_references(self, names: Iterable[str]) -> NDArray[np.uint32]:
-        """Value references of variables."""
         names = list(names)
         for name in names:
             if name not in self.references:
@@ -60,7 +59,7 @@ def _extract(path: Path) -> Path:
     The folder is made under another name and then renamed, so that it is never half there. One that
     is not as the archive is made anew.
     """
-    digest = hashlib.sha256(read_bytes(path, LOG_BYTES, GyroError)).hexdigest()[:16]
+    digest = hashlib.sha256(read_bytes(path, LOG_BYTES)).hexdigest()[:16]
     folder = path.with_name(f"{path.stem}-{digest}")
     if not _is_extracted(path, folder):
         aside = Path(tempfile.mkdtemp(prefix=".partial-", dir=path.parent))
@@ -77,7 +76,7 @@ def _extract(path: Path) -> Path:
 
 def _is_extracted(path: Path, folder: Path) -> bool:
     """Whether every file of an archive is in the folder, byte by byte."""
-    with open_archive(path, GyroError) as archive:
+    with open_archive(path) as archive:
         files = {e.filename: archive.read(e) for e in archive.entries if not e.is_dir()}
     try:
         return all((folder / name).read_bytes() == data for name, data in files.items())

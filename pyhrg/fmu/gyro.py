@@ -3,14 +3,10 @@
 from collections.abc import Callable, Mapping, Sequence
 from types import TracebackType
 
-import numpy as np
-from numpy.typing import NDArray
-
+from pyhrg.common.arrays import Array
 from pyhrg.fmu.archive import GyroError
 from pyhrg.fmu.instance import Instance
 from pyhrg.fmu.rows import Layout, Rows, arrange_rows
-
-Array = NDArray[np.float64]
 
 CHUNK = 20_000
 """Number of communication steps after which a drive looks whether it was stopped. Chosen: a second
@@ -53,37 +49,6 @@ class Gyro:
         self.instance.reset()
         self._give_back(self.instance)
 
-    def advance(self, rate: float, duration: float) -> float:
-        """Turn the case at a constant inertial rate about the input axis, rad/s, for a duration, s;
-        returns the gyro's angle at the end, rad."""
-        return float(self.drive(np.array([rate]), duration)[0])
-
-    def drive(self, rates: Array, step: float) -> Array:
-        """Turn the case at rates that each hold for one step.
-
-        Args:
-            rates: (n,) inertial rate about the input axis, rad/s.
-            step: communication step, s.
-
-        Returns:
-            (n,) the gyro's angle at the end of each step, rad.
-
-        Raises:
-            GyroError: a step that the FMU refuses, or `GyroFmu.stop`.
-        """
-        rates = np.ascontiguousarray(rates, dtype=np.float64)
-        angles = np.empty_like(rates)
-        references = self.instance.archive.find_references(["angularRate", "gyroAngle"])
-        component, loop = self.instance.slave.component, self.instance.loops.drive
-
-        def run(part: slice) -> int:
-            begin = self.time + part.start * step
-            return loop(component, begin, step, references, rates[part], angles[part])
-
-        self._run_in_parts(run, "step", len(rates), CHUNK)
-        self.time += step * len(rates)
-        return angles
-
     def record(
         self,
         moving: Mapping[str, Array],
@@ -118,14 +83,16 @@ class Gyro:
 
     def fill(self, layout: Layout, rows: Rows) -> None:
         """Record rows that are arranged already; see `record`."""
-        component, loop = self.instance.slave.component, self.instance.loops.record
+        component, loop = self.instance.slave.component, self.instance.loop
         n, steps = rows.moving.shape[:2]
-
-        def run(part: slice) -> int:
-            begin = self.time + part.start * steps * layout.step
-            return loop(component, begin, *layout, *rows.take(part))
-
-        self._run_in_parts(run, "row", n, max(1, CHUNK // steps))
+        part_length = max(1, CHUNK // steps)
+        for first in range(0, n, part_length):
+            self.check_stop()
+            part = slice(first, min(first + part_length, n))
+            begin = self.time + first * steps * layout.step
+            done = loop(component, begin, *layout, *rows.take(part))
+            if done != part.stop - part.start:
+                raise GyroError(self.instance.explain(f"row {first + done} of {n} failed"))
         self.time += layout.step * steps * n
 
     def read(self, name: str) -> float:
@@ -144,15 +111,3 @@ class Gyro:
         """Raise `GyroError` if drives under way are to end."""
         if self._is_stopped():
             raise GyroError("the drive was stopped")
-
-    def _run_in_parts(
-        self, run: Callable[[slice], int], unit: str, count: int, part_length: int
-    ) -> None:
-        """Run a loop over `count` rows or steps; `run` returns how many of a part succeeded."""
-        for first in range(0, count, part_length):
-            self.check_stop()
-            part = slice(first, min(first + part_length, count))
-            done = run(part)
-            if done != part.stop - part.start:
-                trouble = f"{unit} {first + done} of {count} failed"
-                raise GyroError(self.instance.explain(trouble))

@@ -6,7 +6,7 @@ from typing import Any
 from fmpy.fmi2 import FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 
 from pyhrg.fmu.archive import Archive, GyroError
-from pyhrg.fmu.loops import compile_loops
+from pyhrg.fmu.loops import compile_loop
 
 
 class Instance:
@@ -20,7 +20,7 @@ class Instance:
             modelIdentifier=archive.description.coSimulation.modelIdentifier,
             instanceName="gyro",
         )
-        self.loops = compile_loops(self.slave.dll._name)
+        self.loop = compile_loop(self.slave.dll._name)
         self._messages: list[str] = []
         messages = self._messages  # not self: the slave holds what it calls
 

@@ -42,7 +42,6 @@ class Lanes:
     """The library for one FMU and one number of lanes."""
 
     def __init__(self, library: Path) -> None:
-        """Load the library."""
         self._record = ctypes.CDLL(str(library)).record_together
         self._record.argtypes = [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t]
 

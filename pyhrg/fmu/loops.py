@@ -1,37 +1,28 @@
-"""Compiled loops (numba) over the functions of an FMU's library.
+"""A compiled loop (numba) over the functions of an FMU's library.
 
-A loop sets inputs, does communication steps and gets outputs without leaving compiled code, and
+It sets inputs, does communication steps and gets outputs without leaving compiled code, and
 without holding Python's lock.
 """
 
 import ctypes
 from collections.abc import Callable
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any
 
 import numba
 import numpy as np
 from fmpy.fmi2 import fmi2OK
 
 Loop = Callable[..., int]
-
-
-class Loops(NamedTuple):
-    """Compiled loops over one library's functions; each returns how many rows succeeded."""
-
-    drive: Loop
-    record: Loop
-
-
+"""Returns how many rows succeeded."""
 _Functions = tuple[Any, Any, Any]
 """fmi2SetReal, fmi2GetReal and fmi2DoStep of a library, as compiled code calls them."""
 
 
 @lru_cache(maxsize=4)
-def compile_loops(library: str) -> Loops:
-    """Loops over the functions of a library; all instances of the FMU share them."""
-    functions = _find_functions(library)
-    return Loops(_make_drive(functions), _make_record(functions))
+def compile_loop(library: str) -> Loop:
+    """The loop over the functions of a library; all instances of the FMU share it."""
+    return _make_record(_find_functions(library))
 
 
 def _find_functions(library: str) -> _Functions:
@@ -47,27 +38,6 @@ def _find_functions(library: str) -> _Functions:
         find("fmi2GetReal", handle, handle, ctypes.c_size_t, handle),
         find("fmi2DoStep", handle, real, real, status),
     )
-
-
-def _make_drive(functions: _Functions) -> Loop:
-    set_real, get_real, do_step = functions
-    ok = fmi2OK
-
-    @numba.njit(nogil=True)
-    def drive(
-        component: Any, start: Any, step: Any, references: Any, rates: Any, angles: Any
-    ) -> int:
-        """Set the first variable and get the second, step by step."""
-        for i in range(len(rates)):
-            if (
-                set_real(component, references[0:].ctypes, 1, rates[i:].ctypes) != ok
-                or do_step(component, start + i * step, step, 1) != ok
-                or get_real(component, references[1:].ctypes, 1, angles[i:].ctypes) != ok
-            ):
-                return i
-        return len(rates)
-
-    return drive
 
 
 def _make_integrate(functions: _Functions) -> Callable[..., bool]:

@@ -6,9 +6,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.fmu.archive import Archive
-
-Array = NDArray[np.float64]
 
 CONTROL_PERIOD = 1e-3
 """Control period of the gyro's electronics, s."""
@@ -47,7 +46,6 @@ class Rows(NamedTuple):
     means: Array
 
     def take(self, part: slice) -> "Rows":
-        """Some of the rows."""
         held = self.held[part.start : part.stop + 1]
         return Rows(self.moving[part], held, self.is_new[part], self.ends[part], self.means[part])
 

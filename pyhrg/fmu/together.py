@@ -2,9 +2,10 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from pyhrg.common.arrays import Array
 from pyhrg.fmu.gyro import CHUNK, Gyro
 from pyhrg.fmu.lanes import Lanes, load_lanes
-from pyhrg.fmu.rows import Array, Layout, Rows, arrange_rows
+from pyhrg.fmu.rows import Layout, Rows, arrange_rows
 
 NARROW, WIDE = 4, 8
 """Numbers of lanes: a vector of AVX2 or two of NEON, and twice as many, of which each half computes

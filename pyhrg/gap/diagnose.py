@@ -152,7 +152,7 @@ class CampaignDiagnosis:
         the identified gyro with its terms: all of them or none.
 
         Raises:
-            BuildError, TranslationError: the FMU can't be built.
+            HrgError: the FMU can't be built.
             OSError: the folder can't be written.
         """
         with stage_files(Path(folder), FILES) as aside:
@@ -185,9 +185,8 @@ def diagnose(
 
     Raises:
         CampaignError, LogError: no test of the folder can be used, or a log can't be.
-        DeviceError, GyroError: the nominal values are no gyro's, or none that the FMU takes.
-        BuildError, TranslationError: the FMUs can't be built.
-        HrgError: a bound that is no size.
+        GyroError: the nominal values are none that the FMU takes.
+        HrgError: the nominal values are no gyro's, the FMUs can't be built, a bound is no size.
     """
     report = make_progress_reporter(progress)
     if not all(0 <= limit < math.inf for limit in asdict(bound).values()):

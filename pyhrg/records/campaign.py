@@ -89,10 +89,10 @@ def read_campaign(folder: Path | str, *, any_sign: bool = False) -> Campaign:
         any_sign: whether the table's angle may count against the gyro's, as in `read_log`.
 
     Raises:
-        CampaignError: there is no index, it has another schema, or a key is missing or has a wrong
+        HrgError: there is no index, it has another schema, or a key is missing or has a wrong
             value.
     """
-    index = read_json_table(Path(folder) / INDEX, CampaignError)
+    index = read_json_table(Path(folder) / INDEX)
     index.text("schema", None, (SCHEMA,))
     for key, expected in (("site", "a table"), ("nominal", "a table"), ("tests", "a list")):
         index.require(key, expected)
@@ -110,7 +110,6 @@ def read_campaign(folder: Path | str, *, any_sign: bool = False) -> Campaign:
 
 
 def read_site(document: TomlTable) -> Site:
-    """The site that a document's table `site` states."""
     place = document.table("site")
     return Site(
         latitude=place.number("latitude_deg", None, -90.0, 90.0) * DEG,
@@ -123,7 +122,7 @@ def write_campaign(campaign: Campaign, folder: Path | str) -> None:
 
     Raises:
         CampaignError: a test's id is no file name, or is there twice.
-        LogError: a log that is yet to be read can't be used.
+        HrgError: a log that is yet to be read can't be used.
         OSError: the folder can't be written.
     """
     folder = Path(folder)

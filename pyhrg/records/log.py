@@ -128,7 +128,7 @@ def read_log(
             turns such a sign; for all else it is an error.
 
     Raises:
-        LogError: the file can't be read; a column stands there twice or under another unit; there
+        HrgError: the file can't be read; a column stands there twice or under another unit; there
             are no times or too few rows; a field is no number or out of range; one time has
             different values; time runs back, or its steps contradict the interval; values are in
             another unit than the header says.

@@ -43,7 +43,7 @@ def remove_saturation(table: Table, interval: float) -> Table:
         is_stuck = _find_improbable_runs(values, state)
         is_turned = column.field == "wave_angle" and not table.columns["virtual_rotation"].any()
         if column.field == "gyro_angle" or is_turned:
-            first, last = _find_runs((np.diff(values) == 0) & turning[1:])
+            first, last = find_runs((np.diff(values) == 0) & turning[1:])
             is_long = last - first + 1 >= MIN_RUN_WHILE_TURNING
             is_stuck |= _mark_runs(len(values), first, last, is_long)
         table = table.add_note(is_stuck, f"{column.name} stands still: saturated, left out")
@@ -57,7 +57,7 @@ def _number_pairs(state: NDArray[np.int64], values: Array) -> NDArray[np.int64]:
     return np.unique(state * (codes.max() + 1) + codes, return_inverse=True)[1]
 
 
-def _find_runs(same: NDArray[np.bool_]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def find_runs(same: NDArray[np.bool_]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """First and last row of each run, from (n - 1,) whether a row equals the row before."""
     edges = np.diff(np.concatenate([[0], same.astype(np.int8), [0]]))
     return np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
@@ -76,7 +76,7 @@ def _find_improbable_runs(values: Array, state: NDArray[np.int64]) -> NDArray[np
     """(n,) rows of runs that are improbable by how often other values of the same state repeat."""
     inside = state[1:] == state[:-1]
     same = (np.diff(values) == 0) & inside
-    first, last = _find_runs(same)
+    first, last = find_runs(same)
     if not len(first):
         return np.zeros(len(values), dtype=bool)
     level = _number_pairs(state, values)

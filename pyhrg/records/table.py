@@ -46,7 +46,6 @@ class Table:
         return replace(self, notes=(*self.notes, note))
 
     def keep_rows(self, chosen: NDArray[np.bool_]) -> "Table":
-        """The table with the chosen rows alone."""
         columns = {field: values[chosen] for field, values in self.columns.items()}
         return replace(self, rows=self.rows[chosen], columns=columns)
 
@@ -70,7 +69,7 @@ def read_table(path: Path) -> Table:
     """The rows of a log's file, in SI, with notes on missing and unknown columns."""
     text = read_text(path)
     first_line = text.partition("\n")[0].rstrip("\r")
-    _, names = next(parse_csv(path.name, first_line, error_class=LogError), (1, []))
+    _, names = next(parse_csv(path.name, first_line), (1, []))
     header = [name.strip() for name in names]
     _check_header(path, header)
     rows, values = _parse_plain(text, header) or _parse_field_by_field(path, text, header)
@@ -90,7 +89,7 @@ def read_table(path: Path) -> Table:
 
 def read_text(path: Path, encoding: str = "utf-8-sig") -> str:
     """A log's text, decompressed if it is gzipped, whatever its name."""
-    return decode(path, read_unpacked(path, LogError), encoding, LogError)
+    return decode(path, read_unpacked(path), encoding)
 
 
 def _check_header(path: Path, header: list[str]) -> None:
@@ -120,7 +119,7 @@ def _parse_plain(text: str, header: list[str]) -> Numbers | None:
 
 def _parse_field_by_field(path: Path, text: str, header: list[str]) -> Numbers:
     """Rows and columns of a file with empty fields or rows, or text in unknown columns."""
-    lines = list(parse_csv(path.name, text, error_class=LogError))[1:]
+    lines = list(parse_csv(path.name, text))[1:]
     for number, row in lines:
         if len(row) != len(header):
             raise LogError(

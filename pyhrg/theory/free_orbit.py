@@ -10,7 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
+
 Complex = NDArray[np.complex128]
 
 

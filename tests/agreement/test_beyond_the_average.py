@@ -10,6 +10,7 @@ from pyhrg.common.units import ARCSEC, DEG, HZ
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.theory import closed_forms as theory
+from tests.driving import advance
 
 RATE = 100 * DEG
 SETTLING, INSTANTS, STEP = 5.0, 60, 0.05
@@ -26,9 +27,9 @@ def turned(model: str, rate: float) -> dict[str, np.ndarray]:
     fmu = GyroFmu(build_fmu(model))
     rows = []
     with fmu.power_on(GYRO.fmu_parameters(), seed=0, start_angle=0.3) as gyro:
-        gyro.advance(rate, SETTLING)
+        advance(gyro, rate, SETTLING)
         for _ in range(INSTANTS):
-            angle = gyro.advance(rate, STEP)
+            angle = advance(gyro, rate, STEP)
             rows.append(
                 [angle, gyro.read("patternAngle"), *(gyro.read(n) for n in SIGNALS.values())]
             )

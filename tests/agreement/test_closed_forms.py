@@ -9,6 +9,7 @@ from pyhrg.common.units import DEG, DEG_PER_H, DEG_PER_SQRT_H
 from pyhrg.device.ready_devices import TYPICAL, Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.theory import closed_forms as theory
+from tests.driving import advance, drive
 
 ANGLES = np.arange(0.0, 90.0, 11.25) * DEG
 
@@ -16,8 +17,8 @@ ANGLES = np.arange(0.0, 90.0, 11.25) * DEG
 def drift(fmu: GyroFmu, device: Device, angle: float) -> float:
     """Output rate at rest, rad/s."""
     with fmu.power_on(device.fmu_parameters(), seed=0, start_angle=angle) as gyro:
-        settled = gyro.advance(0.0, 20.0)
-        return (gyro.advance(0.0, 100.0) - settled) / 100.0
+        settled = advance(gyro, 0.0, 20.0)
+        return (advance(gyro, 0.0, 100.0) - settled) / 100.0
 
 
 SINGLE_EFFECTS = {
@@ -66,7 +67,7 @@ def test_ideal_gyro_returns_the_input_angle(fmu: GyroFmu, rate: float) -> None:
     """To 1e-7 after the closed form of its own hold, -(Ts/2)/tau."""
     device = Device()
     with fmu.power_on(device.fmu_parameters(), seed=0, start_angle=0.1) as gyro:
-        angle = gyro.advance(rate, 100.0)
+        angle = advance(gyro, rate, 100.0)
     error = angle / (100.0 * rate) - 1
     hold = theory.hold_scale_factor_error(1e-3, 0.0, device.decay_time)
     assert hold == pytest.approx(-1.1111e-6, rel=1e-4)
@@ -76,7 +77,7 @@ def test_ideal_gyro_returns_the_input_angle(fmu: GyroFmu, rate: float) -> None:
 def test_virtual_rotation_moves_the_pattern_and_not_the_output(fmu: GyroFmu) -> None:
     with fmu.power_on(Device().fmu_parameters(), seed=0, start_angle=0.0) as gyro:
         gyro.command("virtualRotation", 1.0 * DEG)
-        angle = gyro.advance(0.0, 50.0)
+        angle = advance(gyro, 0.0, 50.0)
         assert gyro.read("patternAngle") == pytest.approx(0.277 * 50 * DEG, rel=1e-4)
         assert abs(angle) < 1e-5 * 50 * DEG
 
@@ -86,8 +87,8 @@ def test_angle_random_walk_is_what_the_parameter_says(fmu: GyroFmu) -> None:
     walk = 1e-3 * DEG_PER_SQRT_H
     device = Device(angle_random_walk=walk)
     with fmu.power_on(device.fmu_parameters(), seed=42, start_angle=0.2) as gyro:
-        gyro.advance(0.0, 5.0)
-        means = np.diff(gyro.drive(np.zeros(401), 1.0))
+        advance(gyro, 0.0, 5.0)
+        means = np.diff(drive(gyro, np.zeros(401), 1.0))
     expected = walk / math.sqrt(1.0)  # rate means over 1 s
     assert np.std(means, ddof=1) == pytest.approx(expected, rel=3.5 / math.sqrt(2 * 400))
 
@@ -96,8 +97,8 @@ def test_pickoff_noise_is_what_the_parameter_says(fmu: GyroFmu) -> None:
     """Angle read every 0.1 s: white with the stated deviation, within 3.5 sigma."""
     device = Device(angle_white_noise=1e-6)
     with fmu.power_on(device.fmu_parameters(), seed=43, start_angle=0.2) as gyro:
-        gyro.advance(0.0, 1.0)
-        angles = gyro.drive(np.zeros(4000), 0.1)
+        advance(gyro, 0.0, 1.0)
+        angles = drive(gyro, np.zeros(4000), 0.1)
     assert np.std(angles) == pytest.approx(1e-6, rel=3.5 / math.sqrt(2 * 4000))
 
 
@@ -107,6 +108,6 @@ def test_seeds_give_unrelated_noise(fmu: GyroFmu) -> None:
     series = []
     for seed in (1, 2, 3):
         with fmu.power_on(device.fmu_parameters(), seed=seed, start_angle=0.2) as gyro:
-            series.append(np.diff(gyro.drive(np.zeros(4001), 0.1)))
+            series.append(np.diff(drive(gyro, np.zeros(4001), 0.1)))
     correlation = np.corrcoef(series) - np.eye(3)
     assert np.max(np.abs(correlation)) < 4 / math.sqrt(4000)

@@ -18,6 +18,7 @@ from pyhrg.device import device_file
 from pyhrg.device.declarations import read_declarations
 from pyhrg.device.device import Device
 from pyhrg.fmu import Gyro, GyroFmu
+from tests.driving import advance, drive
 
 K, TAU, HOLD = 0.277, 450.0, 5e-4
 ANGLES = np.array([7.0, 31.0, 64.0]) * DEG
@@ -50,8 +51,8 @@ def settled(
         with gyro(fmu, keys, angle) as running:
             for name, value in inputs.items():
                 running.command(name, value)
-            before = running.advance(0.0, 20.0)
-            bias = (running.advance(0.0, 20.0) - before) / 20.0
+            before = advance(running, 0.0, 20.0)
+            bias = (advance(running, 0.0, 20.0) - before) / 20.0
             values.append(bias if channel == "bias" else running.read(channel))
     return np.array(values)
 
@@ -231,7 +232,7 @@ def test_scale_factor(fmu: GyroFmu, keys: Mapping[str, float], error: float) -> 
     """Beside the hold's own -(Ts/2)/tau, to 5e-8, in both directions."""
     for rate in (0.5, -0.5):
         with gyro(fmu, keys, 0.1) as running:
-            measured = running.advance(rate, 50.0) / (50 * rate) - 1
+            measured = advance(running, rate, 50.0) / (50 * rate) - 1
         assert measured + HOLD / TAU == pytest.approx(error, abs=5e-8)
 
 
@@ -274,10 +275,10 @@ def test_reference_temperature_and_lag(fmu: GyroFmu) -> None:
         "thermal_lag_s": 30.0,
     }
     with gyro(fmu, keys, 0.1) as running:
-        running.advance(0.0, 20.0)
+        advance(running, 0.0, 20.0)
         assert abs(running.read("frequencyOffset")) < 1e-6
         running.command("caseTemperature", 313.15 + 10.0)
-        running.advance(0.0, 30.0)
+        advance(running, 0.0, 30.0)
         assert running.read("frequencyOffset") == pytest.approx(
             2 * math.pi * 7000 * 8.5e-4 * (1 - math.exp(-1)), rel=1e-3
         )
@@ -286,11 +287,11 @@ def test_reference_temperature_and_lag(fmu: GyroFmu) -> None:
 def test_temperature_rate_bias(fmu: GyroFmu) -> None:
     """0.5 deg/h per K/min at 3 K/min: 1.5 deg/h, the case warming in steps of 10 ms."""
     with gyro(fmu, {"bias_deg_h_per_K_min": 0.5}, 0.1) as running:
-        running.advance(0.0, 10.0)
+        advance(running, 0.0, 10.0)
         before = running.read("gyroAngle")
         for step in range(1, 1001):
             running.command("caseTemperature", 298.15 + 3 / 60 * 0.01 * step)
-            running.advance(0.0, 0.01)
+            advance(running, 0.0, 0.01)
         bias = (running.read("gyroAngle") - before) / 10.0
     assert bias == pytest.approx(1.5 * DEG_PER_H, rel=0.01)
 
@@ -308,7 +309,7 @@ def test_loops_are_critically_damped_at_their_frequency(fmu_path: Path, loop: st
         if output == "amplitude":
             running.command("amplitudeSetpoint", aim)
         for _ in range(20):
-            running.advance(0.0, 0.1)
+            advance(running, 0.0, 0.1)
             t = running.time
             error = aim - running.read(output)
             assert error == pytest.approx(1e-3 * (1 - w * t) * math.exp(-w * t), abs=2e-5)
@@ -319,20 +320,20 @@ def test_quantum(fmu: GyroFmu) -> None:
     q = 0.5 * ARCSEC
     rates = np.full(500, 1e-4)
     with gyro(fmu, {"quantum_arcsec": 0.5}, 0.1) as rounded, gyro(fmu, {}, 0.1) as plain:
-        steps, smooth = rounded.drive(rates, 0.01) / q, plain.drive(rates, 0.01) / q
+        steps, smooth = drive(rounded, rates, 0.01) / q, drive(plain, rates, 0.01) / q
     assert np.max(np.abs(steps - np.round(steps))) < 1e-6
     assert np.max(np.abs(steps - smooth)) <= 0.5 + 1e-6
     assert np.ptp(steps) > 100
 
 
 def deviation_of_means(running: Gyro) -> float:
-    running.advance(0.0, 5.0)
-    return float(np.std(np.diff(running.drive(np.zeros(401), 1.0)), ddof=1))
+    advance(running, 0.0, 5.0)
+    return float(np.std(np.diff(drive(running, np.zeros(401), 1.0)), ddof=1))
 
 
 def deviation_of_angles(running: Gyro) -> float:
-    running.advance(0.0, 1.0)
-    return float(np.std(running.drive(np.zeros(400), 0.1), ddof=1))
+    advance(running, 0.0, 1.0)
+    return float(np.std(drive(running, np.zeros(400), 0.1), ddof=1))
 
 
 @pytest.mark.parametrize(

@@ -15,6 +15,7 @@ import pytest
 from fmu_build.bundle import build_fmu
 from fmu_build.roots import ROOTS
 from pyhrg.fmu import GyroFmu
+from tests.driving import advance, drive
 from tests.modelica.catalogue import read_catalogue
 
 Values = Mapping[str, float]
@@ -125,12 +126,12 @@ def _channels(gyro_fmu: GyroFmu, parameters: Items, inputs: Items, run: Run) -> 
     """Angle gained at rest, and in all; growth rate; quadrature force; frequency."""
     rest, rate = run
     with gyro_fmu.power_on(dict(parameters), seed=3, start_angle=0.2) as gyro:
-        begin = gyro.advance(0.0, rest)
+        begin = advance(gyro, 0.0, rest)
         for name, value in inputs:
             gyro.command(name, value)
-        gyro.advance(rate, rest)
-        settled = gyro.advance(0.0, rest)
-        end = gyro.advance(0.0, rest)
+        advance(gyro, rate, rest)
+        settled = advance(gyro, 0.0, rest)
+        end = advance(gyro, 0.0, rest)
         forces = [gyro.read(x) for x in ("amplitudeForce", "quadratureForce", "frequencyOffset")]
     return np.array([end - settled, end - begin, *forces])
 
@@ -164,7 +165,7 @@ def test_carrier_draws_the_same_noise(gyros: dict[str, GyroFmu], name: str) -> N
     for fidelity in ("HRG", "HRGCarrier"):
         with gyros[fidelity].power_on({name: NOISE[name]}, seed=5, start_angle=0.2) as gyro:
             gyro.command("virtualRotation", 1.0)
-            records.append(gyro.drive(np.zeros(1000), 1e-3)[10:])
+            records.append(drive(gyro, np.zeros(1000), 1e-3)[10:])
     assert np.std(records[0] - records[1]) < 0.1 * np.std(records[0])
     assert np.std(records[0]) > 0
 

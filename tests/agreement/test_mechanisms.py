@@ -13,6 +13,7 @@ import pytest
 
 from pyhrg.common.units import DEG
 from pyhrg.fmu import Gyro, GyroFmu
+from tests.driving import advance, drive
 
 K = 0.277
 TAU = 450.0
@@ -42,8 +43,8 @@ def at_rest(
         with fmu.power_on(parameters, seed=0, start_angle=angle) as gyro:
             for name, value in (inputs or {}).items():
                 gyro.command(name, value)
-            settled = gyro.advance(0.0, settle)
-            table["bias"].append((gyro.advance(0.0, dwell) - settled) / dwell)
+            settled = advance(gyro, 0.0, settle)
+            table["bias"].append((advance(gyro, 0.0, dwell) - settled) / dwell)
             for name in CHANNELS:
                 table[name].append(gyro.read(name))
     return {name: harmonics(np.array(values)) for name, values in table.items()}
@@ -222,14 +223,14 @@ def test_15_loop_delay_is_a_scale_factor_error(fmu: GyroFmu, delay: float) -> No
         with fmu.power_on(
             {"controller.synthesis.loopDelay": delay}, seed=0, start_angle=0.1
         ) as gyro:
-            error = gyro.advance(rate, 50.0) / (50 * rate) - 1
+            error = advance(gyro, rate, 50.0) / (50 * rate) - 1
         assert error == pytest.approx(-(5e-4 + delay) / TAU, abs=5e-8)
 
 
 def turning(fmu: GyroFmu, parameters: Mapping[str, float], rate: float = 0.5) -> float:
     """Scale-factor error after 50 s, the hold's taken out."""
     with fmu.power_on(parameters, seed=0, start_angle=0.1) as gyro:
-        return gyro.advance(rate, 50.0) / (50 * rate) - 1 + 5e-4 / TAU
+        return advance(gyro, rate, 50.0) / (50 * rate) - 1 + 5e-4 / TAU
 
 
 def test_16_bryan_factor_error_is_a_scale_factor_error(fmu: GyroFmu) -> None:
@@ -239,7 +240,7 @@ def test_16_bryan_factor_error_is_a_scale_factor_error(fmu: GyroFmu) -> None:
 
 def test_17_clock_error_leaves_the_angle_and_scales_the_rate(fmu: GyroFmu) -> None:
     with fmu.power_on({"controller.readout.clockError": 1e-4}, seed=0, start_angle=0.1) as gyro:
-        angle = gyro.advance(0.5, 50.0)
+        angle = advance(gyro, 0.5, 50.0)
         assert angle / 25 - 1 == pytest.approx(-5e-4 / TAU, abs=1e-7)
         assert gyro.read("gyroRate") / 0.5 - 1 == pytest.approx(-1e-4, rel=0.02)
         assert gyro.read("frequencyOffset") == pytest.approx(-1e-4 * 2 * math.pi * 7000, rel=1e-3)
@@ -253,8 +254,8 @@ def test_18_virtual_rotation_error_flips_with_the_rotation(fmu: GyroFmu, directi
         {"controller.readout.virtualRotationError": e}, seed=0, start_angle=0.1
     ) as gyro:
         gyro.command("virtualRotation", rate)
-        settled = gyro.advance(0.0, 10.0)
-        bias = (gyro.advance(0.0, 40.0) - settled) / 40.0
+        settled = advance(gyro, 0.0, 10.0)
+        bias = (advance(gyro, 0.0, 40.0) - settled) / 40.0
     assert bias == pytest.approx(-e * rate, rel=0.02)
 
 
@@ -263,14 +264,14 @@ def test_18_rotation_noise_is_a_random_walk(fmu: GyroFmu) -> None:
     rate, density = 10 * DEG, 1e-8
     with fmu.power_on({"noise.virtualRotation": density}, seed=4, start_angle=0.1) as gyro:
         gyro.command("virtualRotation", rate)
-        gyro.advance(0.0, 5.0)
-        means = np.diff(gyro.drive(np.zeros(401), 0.5)) / 0.5
+        advance(gyro, 0.0, 5.0)
+        means = np.diff(drive(gyro, np.zeros(401), 0.5)) / 0.5
     expected = rate * math.sqrt(density / 0.5)
     assert np.std(means, ddof=1) == pytest.approx(expected, rel=3.5 / math.sqrt(800))
 
 
 def locked_angle(gyro: Gyro, rate: float, seconds: float) -> float:
-    gyro.advance(rate, seconds)
+    advance(gyro, rate, seconds)
     return gyro.read("patternAngle")
 
 
@@ -282,14 +283,14 @@ def test_19_lock_in_follows_adler(fmu: GyroFmu) -> None:
     parameters = {"resonator.material.dampingAnisotropy": d}
     with fmu.power_on(parameters, seed=0, start_angle=0.1) as gyro:
         angle = locked_angle(gyro, 0.5 * limit, 3000.0)
-        held = gyro.advance(0.5 * limit, 100.0)
+        held = advance(gyro, 0.5 * limit, 100.0)
         assert gyro.read("patternAngle") == pytest.approx(angle, abs=1e-6)
         assert math.sin(4 * angle) == pytest.approx(0.5, rel=0.02)
         assert held == pytest.approx((0.1 - angle) / K, rel=1e-3)
     period = 2 * math.pi / (4 * K * math.sqrt(3) * limit)
     with fmu.power_on(parameters, seed=0, start_angle=0.1) as gyro:
-        before = gyro.advance(2 * limit, 50.0)
-        mean = (gyro.advance(2 * limit, period) - before) / period
+        before = advance(gyro, 2 * limit, 50.0)
+        mean = (advance(gyro, 2 * limit, period) - before) / period
     assert mean == pytest.approx(math.sqrt(3) * limit, rel=1e-3)
 
 
@@ -298,8 +299,8 @@ def test_20_random_walk_grows_as_the_amplitude_falls(fmu: GyroFmu) -> None:
     parameters = {"noise.angleRandomWalk": 1e-12, "startAmplitude": 0.5}
     with fmu.power_on(parameters, seed=5, start_angle=0.1) as gyro:
         gyro.command("amplitudeSetpoint", 0.5)
-        gyro.advance(0.0, 5.0)
-        means = np.diff(gyro.drive(np.zeros(401), 1.0))
+        advance(gyro, 0.0, 5.0)
+        means = np.diff(drive(gyro, np.zeros(401), 1.0))
     assert np.std(means, ddof=1) == pytest.approx(2e-6, rel=3.5 / math.sqrt(800))
 
 
@@ -307,8 +308,8 @@ def test_22_rate_random_walk(fmu: GyroFmu) -> None:
     """Means of 1 s walk by K each second: 300 differences, within 3.5 sigma; the mean of a second
     smooths the walk within it, variance 2/3."""
     with fmu.power_on({"noise.rateRandomWalk": 1e-12}, seed=6, start_angle=0.1) as gyro:
-        gyro.advance(0.0, 5.0)
-        means = np.diff(gyro.drive(np.zeros(302), 1.0))
+        advance(gyro, 0.0, 5.0)
+        means = np.diff(drive(gyro, np.zeros(302), 1.0))
     steps = np.diff(means)
     expected = 1e-6 * math.sqrt(2 / 3)
     assert np.std(steps, ddof=1) == pytest.approx(expected, rel=3.5 / math.sqrt(600) * 1.3)
@@ -318,8 +319,8 @@ def test_22_flicker_has_a_flat_allan_deviation(fmu: GyroFmu) -> None:
     """0.664 B at 0.3 to 10 s, within 25 % (2000 s of record)."""
     b = 1e-6
     with fmu.power_on({"noise.biasInstability": b}, seed=7, start_angle=0.1) as gyro:
-        gyro.advance(0.0, 20.0)
-        rates = np.diff(gyro.drive(np.zeros(20_001), 0.1)) / 0.1
+        advance(gyro, 0.0, 20.0)
+        rates = np.diff(drive(gyro, np.zeros(20_001), 0.1)) / 0.1
     for m in (3, 10, 30, 100):
         means = rates[: len(rates) // m * m].reshape(-1, m).mean(axis=1)
         deviation = math.sqrt(0.5 * np.mean(np.diff(means) ** 2))
@@ -355,8 +356,8 @@ def test_23_24_temperature(fmu: GyroFmu) -> None:
     bryan = {"resonator.material.bryanFactorPerKelvin": 1e-6, **soak}
     with fmu.power_on(bryan, seed=0, start_angle=0.1) as gyro:
         gyro.command("caseTemperature", 308.15)
-        before = gyro.advance(0.5, 20.0)
-        error = (gyro.advance(0.5, 50.0) - before) / 25 - 1 + 5e-4 / TAU
+        before = advance(gyro, 0.5, 20.0)
+        error = (advance(gyro, 0.5, 50.0) - before) / 25 - 1 + 5e-4 / TAU
     assert error == pytest.approx(1e-5, rel=0.02)
 
 
@@ -367,7 +368,7 @@ def test_24_resonator_follows_the_case_with_its_lag(fmu: GyroFmu) -> None:
     }
     with fmu.power_on(parameters, seed=0, start_angle=0.1) as gyro:
         gyro.command("caseTemperature", 299.15)
-        gyro.advance(0.0, 30.0)
+        advance(gyro, 0.0, 30.0)
         share = gyro.read("frequencyOffset") / (2 * math.pi * 7000 * 1e-5)
     assert share == pytest.approx(1 - math.exp(-1), rel=1e-3)
 
@@ -376,10 +377,10 @@ def test_24_temperature_rate_bias(fmu: GyroFmu) -> None:
     """1 K/min in steps of 0.1 s: the angle gained is -(e'/2k tau) times the temperature gained."""
     e = 1e-2
     with fmu.power_on({"drive.rotationPerTemperatureRate": e}, seed=0, start_angle=0.1) as gyro:
-        gyro.advance(0.0, 1.0)
+        advance(gyro, 0.0, 1.0)
         for step in range(600):
             gyro.command("caseTemperature", 298.15 + (step + 1) / 600)
-            angle = gyro.advance(0.0, 0.1)
+            angle = advance(gyro, 0.0, 0.1)
     assert angle == pytest.approx(-e / (2 * K * TAU), rel=0.02)
 
 
@@ -439,10 +440,10 @@ def test_28_specific_force(fmu: GyroFmu) -> None:
 def test_30_resolution_and_full_scale(fmu: GyroFmu) -> None:
     """A coarse converter makes the angle step; a small full scale spoils it and drops `valid`."""
     with fmu.power_on({"pickOff.resolution": 1e-3}, seed=0, start_angle=0.3) as gyro:
-        angles = gyro.drive(np.full(2000, 0.01), 1e-3)
+        angles = drive(gyro, np.full(2000, 0.01), 1e-3)
     assert 1 < len(np.unique(angles)) < 400
     with fmu.power_on({"pickOff.fullScale": 0.5}, seed=0, start_angle=0.0) as gyro:
-        gyro.advance(0.0, 5.0)
+        advance(gyro, 0.0, 5.0)
         assert gyro.read("valid") == 0
         assert gyro.read("amplitude") <= 0.5 * math.sqrt(2)
 
@@ -453,5 +454,5 @@ def test_31_ageing_shortens_the_decay_time(fmu: GyroFmu) -> None:
     with fmu.power_on(
         {"resonator.material.decayTimeAgeing": rate}, seed=0, start_angle=0.1
     ) as gyro:
-        gyro.advance(0.0, 1000.0)
+        advance(gyro, 0.0, 1000.0)
         assert gyro.read("amplitudeForce") == pytest.approx(math.exp(0.1) / TAU, rel=1e-3)

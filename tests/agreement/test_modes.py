@@ -7,6 +7,7 @@ import pytest
 
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.fmu import GyroFmu
+from tests.driving import advance, drive
 
 K = 0.277
 TAU = 450.0
@@ -21,9 +22,9 @@ def test_ring_down_gives_decay_time_and_damping_axis(fmu: GyroFmu) -> None:
     }
     with fmu.power_on(parameters, seed=0, start_angle=start) as gyro:
         gyro.command("driveOn", 0.0)
-        gyro.advance(0.0, 0.001)
+        advance(gyro, 0.0, 0.001)
         begin = gyro.read("patternAngle")
-        gyro.advance(0.0, 200.0)
+        advance(gyro, 0.0, 200.0)
         expected = axis + 0.5 * math.atan(math.tan(2 * (begin - axis)) * math.exp(d * 200))
         assert gyro.read("patternAngle") == pytest.approx(expected, abs=1e-7)
         growth = math.log(gyro.read("amplitude")) / 200
@@ -32,9 +33,9 @@ def test_ring_down_gives_decay_time_and_damping_axis(fmu: GyroFmu) -> None:
 
 def test_force_to_rebalance_holds_the_pattern_and_measures(fmu: GyroFmu) -> None:
     with fmu.power_on({"controller.forceToRebalance": 1}, seed=0, start_angle=20 * DEG) as gyro:
-        gyro.advance(1 * DEG, 2.0)
-        before = gyro.advance(1 * DEG, 1.0)
-        angle = gyro.advance(1 * DEG, 20.0)
+        advance(gyro, 1 * DEG, 2.0)
+        before = advance(gyro, 1 * DEG, 1.0)
+        angle = advance(gyro, 1 * DEG, 20.0)
         assert gyro.read("patternAngle") == pytest.approx(20 * DEG, abs=1e-6)
         assert (angle - before) / 20 == pytest.approx(1 * DEG, rel=1e-5)
         assert gyro.read("gyroRate") == pytest.approx(1 * DEG, rel=1e-4)
@@ -47,7 +48,7 @@ def test_force_to_rebalance_range_is_the_drives_authority(fmu: GyroFmu) -> None:
     parameters = {"controller.forceToRebalance": 1, "drive.authority": authority}
     for rate, held in ((0.8 * full, True), (1.3 * full, False)):
         with fmu.power_on(parameters, seed=0, start_angle=0.0) as gyro:
-            gyro.advance(rate, 5.0)
+            advance(gyro, rate, 5.0)
             assert (abs(gyro.read("patternAngle")) < 1e-3) == held
 
 
@@ -56,12 +57,12 @@ def test_start_up_in_two_stages(fmu: GyroFmu) -> None:
     parameters = {"startAmplitude": 0.01, "controller.startUp.firstAmplitude": 0.05}
     with fmu.power_on(parameters, seed=0, start_angle=0.3) as gyro:
         assert gyro.read("valid") == 0
-        gyro.advance(0.1, 1.0)
+        advance(gyro, 0.1, 1.0)
         assert gyro.read("valid") == 1
         assert gyro.read("amplitude") < 0.15
-        first = gyro.advance(0.1, 0.5)
-        assert (gyro.advance(0.1, 1.0) - first) / 0.1 == pytest.approx(1.0, rel=1e-3)
-        gyro.advance(0.1, 8.0)
+        first = advance(gyro, 0.1, 0.5)
+        assert (advance(gyro, 0.1, 1.0) - first) / 0.1 == pytest.approx(1.0, rel=1e-3)
+        advance(gyro, 0.1, 8.0)
         assert gyro.read("amplitude") == pytest.approx(1.0, rel=0.02)
         assert gyro.read("valid") == 1
 
@@ -75,9 +76,9 @@ def test_bias_map_compensates_the_dead_zone(fmu: GyroFmu) -> None:
         "controller.biasMap.sin4": -limit,
     }
     with fmu.power_on(parameters, seed=0, start_angle=0.0) as gyro:
-        before = gyro.advance(0.6 * limit, 2000.0)
+        before = advance(gyro, 0.6 * limit, 2000.0)
         angle = gyro.read("patternAngle")
-        gained = gyro.advance(0.6 * limit, 100.0) - before
+        gained = advance(gyro, 0.6 * limit, 100.0) - before
         assert gyro.read("patternAngle") == pytest.approx(angle, abs=1e-4)
         assert gained == pytest.approx(60 * limit, rel=1e-3)
 
@@ -93,8 +94,8 @@ def test_cancellation_removes_the_dead_zone(fmu: GyroFmu) -> None:
         "controller.cancellation.dampingAxis": axis,
     }
     with fmu.power_on(parameters, seed=0, start_angle=0.0) as gyro:
-        before = gyro.advance(0.5 * limit, 10.0)
-        gained = gyro.advance(0.5 * limit, 500.0) - before
+        before = advance(gyro, 0.5 * limit, 10.0)
+        gained = advance(gyro, 0.5 * limit, 500.0) - before
     assert gained == pytest.approx(250 * limit, rel=1e-3)
 
 
@@ -108,16 +109,16 @@ def test_full_turn_mean_is_zero_for_imposed_rotation_only(fmu: GyroFmu) -> None:
     short = rate - math.sqrt(rate**2 - limit**2)
     period = 2 * math.pi / (4 * K * math.sqrt(rate**2 - limit**2))
     with fmu.power_on(parameters, seed=0, start_angle=0.0) as gyro:
-        before = gyro.advance(rate, 20.0)
-        free = (gyro.advance(rate, period) - before) / period - rate
+        before = advance(gyro, rate, 20.0)
+        free = (advance(gyro, rate, period) - before) / period - rate
     hold = -rate * 5e-4 / TAU
     assert free - hold == pytest.approx(-short, rel=0.05)
     angles = np.arange(16) * 22.5 / 4 * DEG
     imposed = []
     for angle in angles:
         with fmu.power_on(parameters, seed=0, start_angle=angle) as gyro:
-            before = gyro.advance(0.0, 5.0)
-            imposed.append((gyro.advance(0.0, 1.0) - before) / 1.0)
+            before = advance(gyro, 0.0, 5.0)
+            imposed.append((advance(gyro, 0.0, 1.0) - before) / 1.0)
     assert abs(np.mean(imposed)) < 0.02 * short + 1e-5 * DEG_PER_H
 
 
@@ -139,7 +140,7 @@ def test_scale_factor_map_takes_out_the_angle_error(fmu: GyroFmu) -> None:
     spread = []
     for parameters in (errors, {**errors, **calibration}, {**errors, **wrong}):
         with fmu.power_on(parameters, seed=0, start_angle=0.1) as gyro:
-            angle = gyro.drive(np.full(100, 2.0), 0.1)[20:]
+            angle = drive(gyro, np.full(100, 2.0), 0.1)[20:]
         straight = np.polyval(np.polyfit(turned[20:], angle, 1), turned[20:])
         spread.append(float(np.std(angle - straight)))
     assert spread[0] > 1e-4

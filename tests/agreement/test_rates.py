@@ -7,6 +7,7 @@ import pytest
 
 from fmu_build.bundle import build_fmu
 from pyhrg.fmu import GyroFmu
+from tests.driving import advance, drive
 
 K = 0.277
 
@@ -21,13 +22,13 @@ def slow() -> GyroFmu:
 def test_no_rate_is_too_fast_for_a_long_period(slow: GyroFmu, period: float, rate: float) -> None:
     """Beyond pi/4 of pattern a period, where angles at the ends alone would alias."""
     with slow.power_on({"samplePeriod": period}, seed=0, start_angle=0.3) as gyro:
-        assert gyro.advance(rate, 20.0) == pytest.approx(20 * rate, rel=1e-5)
+        assert advance(gyro, rate, 20.0) == pytest.approx(20 * rate, rel=1e-5)
 
 
 def test_fast_virtual_rotation_is_taken_out(slow: GyroFmu) -> None:
     with slow.power_on({"samplePeriod": 1.0}, seed=0, start_angle=0.3) as gyro:
         gyro.command("virtualRotation", 5.0)
-        assert abs(gyro.advance(0.0, 20.0)) < 1e-4 * 100
+        assert abs(advance(gyro, 0.0, 20.0)) < 1e-4 * 100
 
 
 def test_drive_on_scales_the_force_once(fmu: GyroFmu) -> None:
@@ -35,7 +36,7 @@ def test_drive_on_scales_the_force_once(fmu: GyroFmu) -> None:
     with fmu.power_on({}, seed=0, start_angle=0.0) as gyro:
         gyro.command("driveOn", 0.5)
         gyro.command("virtualRotation", 0.1)
-        angle = gyro.advance(0.0, 20.0)
+        angle = advance(gyro, 0.0, 20.0)
         assert gyro.read("patternAngle") == pytest.approx(K * 0.5 * 0.1 * 20, rel=1e-3)
         assert abs(angle) < 1e-3
 
@@ -46,10 +47,10 @@ def test_overload_passes_without_a_trace(fmu: GyroFmu) -> None:
     beyond = 1.5 * authority / (2 * K)
     parameters = {"controller.forceToRebalance": 1, "drive.authority": authority}
     with fmu.power_on(parameters, seed=0, start_angle=0.0) as gyro:
-        gyro.advance(0.0, 3.0)
-        gyro.advance(beyond, 5.0)
+        advance(gyro, 0.0, 3.0)
+        advance(gyro, beyond, 5.0)
         assert gyro.read("valid") == 0
-        angle = gyro.advance(0.0, 60.0)
+        angle = advance(gyro, 0.0, 60.0)
         assert gyro.read("valid") == 1
         assert angle == pytest.approx(5 * beyond, rel=0.02)
 
@@ -68,7 +69,7 @@ def test_flicker_is_the_same_at_any_period(slow: GyroFmu) -> None:
         for seed in range(8):
             parameters = {"noise.biasInstability": 1e-6, "samplePeriod": period}
             with slow.power_on(parameters, seed=seed, start_angle=0.1) as gyro:
-                gyro.advance(0.0, 20.0)
-                rates = np.diff(gyro.drive(np.zeros(1001), 4 * period)) / (4 * period)
+                advance(gyro, 0.0, 20.0)
+                rates = np.diff(drive(gyro, np.zeros(1001), 4 * period)) / (4 * period)
             ratios.append(0.5 * np.mean(np.diff(rates) ** 2) / 1e-12)
         assert math.sqrt(np.mean(ratios)) == pytest.approx(0.664, rel=0.2)

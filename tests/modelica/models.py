@@ -128,7 +128,7 @@ def built(model: Model) -> Iterator[ModelFmu]:
     """Translate, compile and load a model.
 
     Raises:
-        TranslationError, BuildError.
+        HrgError, BuildError.
     """
     with TemporaryDirectory(prefix="hrg-model-") as name:
         folder = Path(name)

@@ -7,13 +7,13 @@ from filterpy.common import van_loan_discretization
 from scipy.spatial.transform import Rotation
 
 from ins_eval.alignment.kalman import aligning_model, standing
-from ins_eval.alignment.result import AlignmentError
 from ins_eval.common import earth
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import State, Track, position_error
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from pyhrg.common.arrays import Array
+from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.increments import Increments
 
 STEP = 2.0
@@ -67,7 +67,7 @@ def split_into_steps(record: Increments) -> tuple[Increments, int]:
     each = 2 * max(1, round(wanted / 2))
     count = len(record) // each
     if count < MIN_STEPS:
-        raise AlignmentError(
+        raise HrgError(
             f"{record.duration:g} s of increments every {record.interval:g} s: "
             f"expected at least {MIN_STEPS * each * record.interval:g} s"
         )

@@ -21,9 +21,10 @@ from ins_eval.alignment.kalman.dead_reckoning import (
     split_into_steps,
 )
 from ins_eval.alignment.kalman.tilting import Tilting, estimate_tilting
-from ins_eval.alignment.result import Alignment, AlignmentError, History
+from ins_eval.alignment.result import Alignment, History
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.common.arrays import Array
+from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.increments import Increments
 
 MAX_LINEAR_ERROR = 1e-4
@@ -99,7 +100,7 @@ def reckon_until_linear(
         if np.linalg.norm(first) < MAX_LINEAR_ERROR:
             return run, result, sway
         mat_nb = correct_attitude(mat_nb, first)
-    raise AlignmentError(
+    raise HrgError(
         f"attitude still off by {np.rad2deg(np.linalg.norm(first)):.2g} deg "
         f"after {MAX_PASSES} passes: the vehicle moved, or the coarse attitude is far off"
     )

@@ -19,10 +19,6 @@ LOW, MEDIAN, HIGH = "low_m", "median_m", "high_m"
 FIELDS = (columns.TRIAD, columns.MISSION, LOW, MEDIAN, HIGH)
 
 
-class PredictionsError(HrgError):
-    """The file can't be used; the message names file, line, field, what was found and expected."""
-
-
 def read_predictions(path: Path, flights: Collection[Flight]) -> pd.DataFrame:
     """Predictions with the columns `FIELDS`.
 
@@ -30,24 +26,24 @@ def read_predictions(path: Path, flights: Collection[Flight]) -> pd.DataFrame:
         path: the file; other columns are ignored.
 
     Raises:
-        PredictionsError: a column or a flight is missing, twice there or unknown; a number is not
+        HrgError: a column or a flight is missing, twice there or unknown; a number is not
             finite, negative, or not in the order low, median, high.
     """
-    lines = parse_csv(path, read_text(path), error_class=PredictionsError)
+    lines = parse_csv(path, read_text(path))
     _, header = next(lines, (0, []))
     for name in FIELDS:
         if name not in header:
-            raise PredictionsError(f"{path}: found no column {name}, expected {', '.join(FIELDS)}")
+            raise HrgError(f"{path}: found no column {name}, expected {', '.join(FIELDS)}")
     rows: dict[Flight, tuple[float, ...]] = {}
     for line, fields in lines:
         place = f"{path}: line {line}"
         row = dict(zip_longest(header, fields[: len(header)], fillvalue=""))
         flight = _read_flight(row, flights, place)
         if flight in rows:
-            raise PredictionsError(f"{place}: triad: found {flight} again, expected it once")
+            raise HrgError(f"{place}: triad: found {flight} again, expected it once")
         rows[flight] = _read_numbers(row, place)
     if missing := sorted(set(flights) - rows.keys()):
-        raise PredictionsError(
+        raise HrgError(
             f"{path}: found no row for triad {missing[0][0]}, mission {missing[0][1]}, expected "
             f"all {len(flights)} judged flights; {len(missing)} are missing"
         )
@@ -59,10 +55,10 @@ def _read_flight(row: dict[str, str], flights: Collection[Flight], place: str) -
     missions = sorted({name for _, name in flights})
     if mission not in missions:
         expected = " or ".join(missions)
-        raise PredictionsError(f"{place}: mission: found {mission!r}, expected {expected}")
+        raise HrgError(f"{place}: mission: found {mission!r}, expected {expected}")
     if not text.isdecimal() or (int(text), mission) not in flights:
         numbers = sorted({triad for triad, _ in flights})
-        raise PredictionsError(
+        raise HrgError(
             f"{place}: triad: found {text!r}, expected one that is judged, {numbers[0]} to "
             f"{numbers[-1]}"
         )
@@ -78,9 +74,7 @@ def _read_numbers(row: dict[str, str], place: str) -> tuple[float, ...]:
         except ValueError:
             number = math.nan
         if not least <= number < math.inf:
-            raise PredictionsError(
-                f"{place}: {name}: found {row[name]!r}, expected a number from {below}"
-            )
+            raise HrgError(f"{place}: {name}: found {row[name]!r}, expected a number from {below}")
         numbers.append(number)
         least, below = number, f"{name}, {number:g}"
     return tuple(numbers)

@@ -12,7 +12,7 @@ from ins_eval.study.challenge.predictions_file import HIGH, LOW, MEDIAN
 from ins_eval.study.scores import measures
 from ins_eval.study.scores.coverage import estimate_coverage
 from ins_eval.study.scores.groups import FlightGroup, group_flights
-from ins_eval.study.scores.resampling import Estimate, bootstrap
+from ins_eval.study.scores.resampling import bootstrap
 from ins_eval.study.specification import TEST, TRAIN
 from ins_eval.study.tables import columns
 from ins_eval.study.tables.columns import Predictor
@@ -120,12 +120,8 @@ def _score_predictor(
     row: dict[str, Any] = {columns.CLASS: group.mission_class, "predictor": predictor.title}
     row |= {"n": group.triads, "seed": seed}
     for name, estimate in found.items():
-        row |= _name_ends(name, estimate)
+        row |= {name: estimate.value, f"{name}_low": estimate.low, f"{name}_high": estimate.high}
     return row
-
-
-def _name_ends(name: str, estimate: Estimate) -> dict[str, float]:
-    return {name: estimate.value, f"{name}_low": estimate.low, f"{name}_high": estimate.high}
 
 
 def _format_class(name: str, rows: pd.DataFrame) -> Iterator[str]:

@@ -84,7 +84,6 @@ class DrawnTriad:
 
 
 def make_triad_seed(study_seed: int, number: int) -> np.random.SeedSequence:
-    """The seed of a triad of the study."""
     return np.random.SeedSequence(study_seed, spawn_key=(number,))
 
 

@@ -5,7 +5,6 @@ the median, over the training triads and many start angles, of the linear flight
 that rule. Other quantiles of the same flights are the ends of the predicted interval.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,18 +17,6 @@ from pyhrg.common.arrays import Array
 
 FLIGHTS = 256
 """Number of start angles from which each training triad flies. Chosen."""
-
-
-@dataclass(frozen=True)
-class ConstantRule:
-    """The rule of a class. ratios: (r, n) errors of the training triads' flights in units of the
-    usual rule."""
-
-    ratios: Array
-
-    def predict(self, stability: Array, time: Array) -> "ScaledPrediction":
-        """Errors of triads; arguments as `stability_rule.predict`."""
-        return ScaledPrediction(compute_rule_distance(stability, time), self.ratios)
 
 
 @dataclass(frozen=True)
@@ -49,6 +36,12 @@ class ScaledPrediction:
         return np.asarray(self.distance * np.quantile(self.ratios, share))
 
 
+def predict(ratios: Array, stability: Array, time: Array) -> ScaledPrediction:
+    """Errors of triads by the class's ratios (r, n), errors of the training triads' flights in
+    units of the usual rule; other arguments as `stability_rule.predict`."""
+    return ScaledPrediction(compute_rule_distance(stability, time), ratios)
+
+
 def fly_training_triads(
     weights: MissionWeights, training: TriadBlock, other: Array, seed: int
 ) -> Array:
@@ -64,11 +57,6 @@ def fly_training_triads(
     )
     step = flown.samples.shape[1] // FLIGHTS
     return np.asarray(np.linalg.norm(flown.samples[:, ::step, -1], axis=-1))
-
-
-def join_missions(ratios: Sequence[Array]) -> ConstantRule:
-    """The rule of a class from the ratios of its missions."""
-    return ConstantRule(np.concatenate(ratios, axis=1))
 
 
 def compute_constant(ratios: Array) -> Array:

@@ -9,9 +9,14 @@ from ins_eval.mission_model.gyro_map import TERMS, evaluate_terms
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.triad_block import TriadBlock
 from ins_eval.mission_model.turned_maps import undo_start
-from ins_eval.study.predictors import fitted_map, stability_rule, true_parameters
+from ins_eval.study.predictors import (
+    class_constants,
+    fitted_map,
+    stability_rule,
+    true_parameters,
+)
 from ins_eval.study.predictors.bench_figures import collect_bench_figures
-from ins_eval.study.predictors.class_constants import ConstantRule, fly_training_triads
+from ins_eval.study.predictors.class_constants import fly_training_triads
 from ins_eval.study.predictors.parts import map_drift
 from ins_eval.study.predictors.parts.map_drift import MapDrift
 from ins_eval.study.predictors.prediction import Prediction
@@ -87,13 +92,13 @@ def predict_all(
     weights: MissionWeights,
     triads: TriadBlock,
     model: TrainedModel,
-    rules: Mapping[str, ConstantRule],
+    ratios: Mapping[str, Array],
     seed: int,
 ) -> dict[str, Prediction]:
     """Predictions by key of `columns.PREDICTORS`; only the true parameters' use true maps.
 
     Args:
-        rules: rules of the mission's class by predictor.
+        ratios: errors over those of the usual rule in the mission's class, by predictor.
     """
     bench, drift, angle = collect_bench_figures(triads), model.drift, triads.start_angle
     other = _compute_other_covariance(weights, bench.noise, model)
@@ -103,9 +108,9 @@ def predict_all(
     return {
         columns.FIXED_RULE: stability_rule.predict(fixed, time),
         columns.CIRCUMFERENCE_RULE: stability_rule.predict(circumference, time),
-        columns.FIXED_CLASS: rules[columns.FIXED_CLASS].predict(fixed, time),
-        columns.CIRCUMFERENCE_CLASS: rules[columns.CIRCUMFERENCE_CLASS].predict(
-            circumference, time
+        columns.FIXED_CLASS: class_constants.predict(ratios[columns.FIXED_CLASS], fixed, time),
+        columns.CIRCUMFERENCE_CLASS: class_constants.predict(
+            ratios[columns.CIRCUMFERENCE_CLASS], circumference, time
         ),
         columns.FITTED_MAP: fitted_map.predict(bench, weights, drift, other, angle, seed),
         columns.ANY_ANGLE: fitted_map.predict_any_angle(bench, weights, drift, other, seed),

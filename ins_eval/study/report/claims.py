@@ -144,12 +144,12 @@ class JudgedClaim:
 
 def judge_claims(data: StudyData, calibration: str) -> list[JudgedClaim]:
     """The claims on the judged triads of a calibration; none without scores."""
-    judged = [_judge(claim, _select(data, calibration)) for claim in CLAIMS]
+    scores = [s for s in data.scores if s.calibration == calibration and not s.shuffled]
+    judged = [_judge(claim, scores) for claim in CLAIMS]
     return [each for each in judged if each.by_class]
 
 
 def state_claims(data: StudyData) -> str:
-    """The verdicts of all claims in one sentence."""
     parts = []
     for calibration in data.calibrations:
         judged = judge_claims(data, calibration)
@@ -225,10 +225,6 @@ def name_requirement(claim: Claim, score: Score) -> str:
         for key, predictor, words in claim.parts + claim.beside
         if (key, predictor) == (score.score, score.predictor)
     )
-
-
-def _select(data: StudyData, calibration: str) -> list[Score]:
-    return [s for s in data.scores if s.calibration == calibration and not s.shuffled]
 
 
 def _judge(claim: Claim, scores: Sequence[Score]) -> JudgedClaim:

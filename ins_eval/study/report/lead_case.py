@@ -5,16 +5,14 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.study.predictors.stability_rule import DRIFT_PER_STABILITY
 from ins_eval.study.report.distances import NMI, format_distance, format_range
 from ins_eval.study.report.figures.parts import draw_axes
 from ins_eval.study.study_data import LEAD_KEY
+from pyhrg.common.arrays import Array
 from pyhrg.common.pages import svg
 from pyhrg.common.units import DEG_PER_H, HOUR, NAUTICAL_MILE
-
-Array = NDArray[np.float64]
 
 TESTS = ("fixed position", "full circumference")
 """Names of the two bench tests, in the order of their figures."""

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study.run.errors import StudyRunError
 from ins_eval.study.run.identity import Identity
 from ins_eval.study.specification import Study
+from pyhrg.common.errors import HrgError
 from pyhrg.common.made_by import find_difference, list_versions
 
 LARGEST_BLOCK = 2
@@ -39,11 +39,11 @@ class BlockWork:
         """The block's file.
 
         Raises:
-            StudyRunError: this worker's code differs from the command's.
+            HrgError: this worker's code differs from the command's.
         """
         if differs := find_difference(list_versions(), self.identity.made_by):
             key, found, expected = differs
-            raise StudyRunError(
+            raise HrgError(
                 f"a worker of another version: {key}: found {found}, expected {expected}"
             )
         arrays = self.compute(self.study, list_triads(self.study, number))
@@ -56,7 +56,6 @@ def count_block_triads(study: Study) -> int:
 
 
 def count_blocks(study: Study) -> int:
-    """Number of a study's blocks."""
     return -(-study.triads // count_block_triads(study))
 
 

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ins_eval.study.run.block import Arrays, unpack_block
-from ins_eval.study.run.errors import StudyRunError
 from ins_eval.study.run.identity import Identity
 from pyhrg.common.caches.files import read_cached, write_cached
+from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
 from pyhrg.common.made_by import find_difference
 from pyhrg.common.reading.documents import read_json
@@ -50,7 +50,6 @@ class StudyFolder:
         return self.path / BLOCK_FOLDER
 
     def block(self, number: int) -> Path:
-        """File of a block."""
         return self.blocks / f"{number:06d}.npz"
 
 
@@ -59,7 +58,7 @@ def claim_folder(path: Path, identity: Identity) -> Iterator[StudyFolder]:
     """A study's folder, for this command alone inside the context; made where it does not exist.
 
     Raises:
-        StudyRunError: the folder holds something else, another study or one of another version; or
+        HrgError: the folder holds something else, another study or one of another version; or
             another command works in it. Nothing is changed then.
         OSError: the folder can't be written.
     """
@@ -91,7 +90,7 @@ def _lock(path: Path) -> int:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError:
         os.close(handle)
-        raise StudyRunError(f"{path}: found another command at work there") from None
+        raise HrgError(f"{path}: found another command at work there") from None
     return handle
 
 
@@ -100,19 +99,19 @@ def _check(path: Path, identity: Identity) -> None:
     file = path / IDENTITY
     if not file.exists():
         if others := sorted(p.name for p in path.iterdir() if not p.name.startswith(".")):
-            raise StudyRunError(f"{path}: found {others[0]}, expected an empty folder or a study's")
+            raise HrgError(f"{path}: found {others[0]}, expected an empty folder or a study's")
         write_whole(file, identity.text.encode())
         return
-    found = read_json(file, StudyRunError)
+    found = read_json(file)
     if differs := find_difference(found.get("study"), identity.study):
         key, here, asked = differs
-        raise StudyRunError(
+        raise HrgError(
             f"{file}: another study: {key}: found {here!r}, expected {asked!r}; "
             "choose another folder"
         )
     if differs := find_difference(found.get("made_by"), identity.made_by):
         key, here, asked = differs
-        raise StudyRunError(
+        raise HrgError(
             f"{file}: a study of another version: {key}: found {here}, expected {asked}; "
             "choose another folder"
         )

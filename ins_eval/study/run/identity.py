@@ -22,12 +22,10 @@ class Identity:
 
     @property
     def digest(self) -> str:
-        """Digest of both."""
         return hashlib.sha256(self.text.encode()).hexdigest()[:32]
 
     @property
     def text(self) -> str:
-        """Both as JSON."""
         return json.dumps({"study": self.study, "made_by": self.made_by}, indent=1) + "\n"
 
 

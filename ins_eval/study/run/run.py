@@ -6,12 +6,12 @@ from pathlib import Path
 
 from ins_eval.study.run import block
 from ins_eval.study.run.block import Arrays, BlockComputation, BlockWork
-from ins_eval.study.run.errors import StudyRunError
 from ins_eval.study.run.folder import StudyFolder, claim_folder
 from ins_eval.study.run.identity import identify_study
 from ins_eval.study.run.workers import connect, run_blocks
 from ins_eval.study.specification import Study
 from pyhrg.common.arguments import check_whole_number
+from pyhrg.common.errors import HrgError
 from pyhrg.common.files import stage_files
 
 MOST_WORKERS = 10_000
@@ -53,7 +53,7 @@ class Cluster:
         if self.workers is not None:
             check_whole_number("workers", self.workers, 1, MOST_WORKERS)
         if self.scheduler is not None and self.workers is not None:
-            raise StudyRunError(
+            raise HrgError(
                 f"workers: found {self.workers}, expected none beside scheduler {self.scheduler}"
             )
 
@@ -73,7 +73,7 @@ def run_experiment(
         progress: is called whenever triads are finished, and once at the beginning.
 
     Raises:
-        StudyRunError: the folder of another study; workers or scheduler that are lost for good.
+        HrgError: the folder of another study; workers or scheduler that are lost for good.
         OSError: `out` can't be written.
     """
     with claim_folder(out, identify_study(study)) as kept:
@@ -120,7 +120,7 @@ def _join_all_blocks(study: Study, kept: StudyFolder) -> Arrays:
     for number in range(block.count_blocks(study)):
         arrays = kept.load_block(number)
         if arrays is None:
-            raise StudyRunError(
+            raise HrgError(
                 f"{kept.block(number)}: found it damaged; the same command makes it again"
             )
         blocks.append(arrays)

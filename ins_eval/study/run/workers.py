@@ -13,8 +13,8 @@ from typing import Any
 import dask
 from distributed import Client, Future, KilledWorker, LocalCluster
 
-from ins_eval.study.run.errors import StudyRunError
 from pyhrg.common.arguments import count_cores
+from pyhrg.common.errors import HrgError
 
 ADDRESS = r"(tcp|tls)://\S+:\d+"
 POLL_INTERVAL = 0.2
@@ -37,7 +37,7 @@ def connect(scheduler: str | None, workers: int | None) -> Iterator[Client]:
         workers: number of these processes; None for the number of cores of this process.
 
     Raises:
-        StudyRunError: the address is none, or no scheduler answers there.
+        HrgError: the address is none, or no scheduler answers there.
     """
     if scheduler is None:
         options = {
@@ -55,11 +55,11 @@ def connect(scheduler: str | None, workers: int | None) -> Iterator[Client]:
             yield client
         return
     if not re.fullmatch(ADDRESS, scheduler):
-        raise StudyRunError(f"{scheduler}: found no address, expected tcp://HOST:PORT")
+        raise HrgError(f"{scheduler}: found no address, expected tcp://HOST:PORT")
     try:
         client = Client(scheduler, timeout=ARRIVAL_TIMEOUT, set_as_default=False)
     except OSError as error:
-        raise StudyRunError(f"{scheduler}: found no scheduler, expected one: {error}") from error
+        raise HrgError(f"{scheduler}: found no scheduler, expected one: {error}") from error
     with client:
         yield client
 
@@ -79,7 +79,7 @@ def run_blocks(
         done: is called with number and file of each finished block.
 
     Raises:
-        StudyRunError: a block kills its workers; the scheduler is gone.
+        HrgError: a block kills its workers; the scheduler is gone.
         KeyboardInterrupt: interrupted by a signal.
     """
     keys = [f"{name}-{number}" for number in numbers]
@@ -91,9 +91,9 @@ def run_blocks(
             try:
                 file = _wait_for_result(future, interrupted)
             except KilledWorker as error:
-                raise StudyRunError(f"block {number}: found its workers killed: {error}") from error
+                raise HrgError(f"block {number}: found its workers killed: {error}") from error
             except CancelledError as error:
-                raise StudyRunError(
+                raise HrgError(
                     f"block {number}: the scheduler is gone; the same command goes on from here"
                 ) from error
             done(number, file)

@@ -21,5 +21,4 @@ def judge_outside(estimate: Estimate, low: float, high: float) -> str:
 
 
 def judge_contains(estimate: Estimate, value: float) -> str:
-    """The verdict on "the interval contains this value"."""
     return HOLDS if estimate.low <= value <= estimate.high else FAILS

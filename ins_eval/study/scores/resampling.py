@@ -54,7 +54,7 @@ def bootstrap(
 
 
 def shuffle_devices(
-    statistic: Statistic, flown: Array, predicted: Sequence[Array], seed: int, draws: int = DRAWS
+    statistic: Statistic, flown: Array, predicted: Sequence[Array], seed: int
 ) -> Estimate:
     """The negative control: the statistic when each triad has another triad's predictions.
 
@@ -70,7 +70,7 @@ def shuffle_devices(
     """
     if len(flown) < 2:
         raise ValueError(f"{len(flown)} triads: expected 2 or more to shuffle")
-    chosen = _draw_derangements(len(flown), draws, np.random.default_rng(seed))
+    chosen = _draw_derangements(len(flown), DRAWS, np.random.default_rng(seed))
     parts = []
     for rows in _split_rows(chosen, [flown, *predicted]):
         same = np.broadcast_to(flown, (len(rows), *flown.shape))

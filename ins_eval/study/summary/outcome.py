@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
 
 from ins_eval.common.metrics import median_interval
 from ins_eval.study.specification import TEST
@@ -18,9 +17,8 @@ from ins_eval.study.tables.columns import (
     FIXED_RULE,
 )
 from ins_eval.study.tables.score import MEDIAN_RATIO, Score
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import HOUR
-
-Array = NDArray[np.float64]
 
 SHOWN_PREDICTORS = (FIXED_RULE, CIRCUMFERENCE_RULE, FIXED_CLASS, CIRCUMFERENCE_CLASS, FITTED_MAP)
 """Predictors in validation.json."""
@@ -90,7 +88,6 @@ class Outcome:
 
 
 def list_outcomes(data: StudyData) -> list[Outcome]:
-    """Outcomes by calibration and mission."""
     judged = data.table[data.table[c.ROLE] == TEST]
     return [
         Outcome(

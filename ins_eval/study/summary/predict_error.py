@@ -18,7 +18,7 @@ from ins_eval.study.report.mission_constants import (
     MissionConstant,
     read_constants,
 )
-from ins_eval.study.study_data import StudyData, StudyDataError, read_study_data
+from ins_eval.study.study_data import StudyData, read_study_data
 from pyhrg.common.arguments import check_number
 from pyhrg.common.errors import HrgError
 from pyhrg.common.pages.svg import format_number
@@ -103,7 +103,7 @@ def predict_from_study(
     """`predict_error` from a study that is read, and bench figures by the key of their test.
 
     Raises:
-        StudyDataError: the study is without this mission or calibration.
+        HrgError: the study is without this mission or calibration.
     """
     constants = {
         each.test.key: each
@@ -112,7 +112,7 @@ def predict_from_study(
     }
     if not constants:
         known = " or ".join(data.missions)
-        raise StudyDataError(
+        raise HrgError(
             f"mission: found no {mission!r}, {calibration} calibrated, in the study, expected "
             f"{known}"
         )

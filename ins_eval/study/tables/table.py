@@ -22,18 +22,13 @@ ROW_GROUP_SIZE = 4096
 """Rows of a row group."""
 
 
-def make_schema() -> pa.Schema:
-    """Schema of the table; the metadata of each column are `unit` and `what`."""
-    return pa.schema([_make_field(column) for column in COLUMNS])
-
-
 def make_table(columns: Mapping[str, Sequence[Any]]) -> pa.Table:
-    """The table from the values of all columns, by name.
+    """The table from the values of all columns, by name; their metadata are `unit` and `what`.
 
     Raises:
         ValueError: a column is missing, unknown, or of another length.
     """
-    wanted = make_schema()
+    wanted = pa.schema([_make_field(column) for column in COLUMNS])
     if differ := set(columns) ^ set(wanted.names):
         raise ValueError(f"columns: found {sorted(columns)}, differing in {sorted(differ)}")
     arrays = [pa.array(columns[field.name], field.type) for field in wanted]

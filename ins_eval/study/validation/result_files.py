@@ -1,6 +1,5 @@
 """Files of a validation: validation.json, position_error.csv, validation.png."""
 
-import csv
 import json
 from collections.abc import Sequence
 from importlib.metadata import version
@@ -8,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 
 from ins_eval.common.metrics import median_interval
 from ins_eval.study.report.claims import describe_conditions, judge_claims
@@ -129,14 +129,11 @@ def _write_table(outcomes: Sequence[Outcome], path: Path) -> None:
         "flown_median_high_m",
         *(f"triad_{number}_m" for number in outcomes[0].flights[TRIAD]),
     ]
-    with path.open("w", newline="") as file:
-        writer = csv.writer(file)
-        writer.writerow(columns)
-        for outcome in outcomes:
-            predicted = [
-                outcome.get_predicted_growth(key) for key in (FIXED_RULE, CIRCUMFERENCE_RULE)
-            ]
-            for time, *rules, flown in zip(outcome.time, *predicted, outcome.growth.T, strict=True):
-                numbers = [time, *rules, np.median(flown), *median_interval(flown), *flown]
-                texts = (f"{value:.6g}" for value in numbers)
-                writer.writerow([outcome.calibration, outcome.mission, *texts])
+    rows = []
+    for outcome in outcomes:
+        predicted = [outcome.get_predicted_growth(key) for key in (FIXED_RULE, CIRCUMFERENCE_RULE)]
+        for time, *rules, flown in zip(outcome.time, *predicted, outcome.growth.T, strict=True):
+            numbers = [float(time), *rules, np.median(flown), *median_interval(flown), *flown]
+            rows.append((outcome.calibration, outcome.mission, *numbers))
+    table = pd.DataFrame(rows, columns=columns)
+    table.to_csv(path, index=False, float_format="%.6g", na_rep="nan", lineterminator="\r\n")

@@ -59,7 +59,6 @@ class Leg:
 
     @property
     def signals(self) -> tuple[Signal, ...]:
-        """All signals of the leg."""
         return self.speed, self.climb_angle, self.roll, self.turn_rate
 
     def exit(self) -> Entry:
@@ -117,6 +116,5 @@ def horizontal_speed(entry: Entry) -> float:
 
 
 def check_standing(entry: Entry) -> None:
-    """Check that the vehicle stands."""
     if abs(entry.speed) > 1e-9:
         raise TrajectoryError(f"speed: found {entry.speed:g} m/s, expected 0: the vehicle stands")

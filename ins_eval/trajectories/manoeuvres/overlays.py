@@ -26,7 +26,6 @@ class OverlayMotion:
 
     @property
     def signals(self) -> tuple[Signal, ...]:
-        """All signals of the motion."""
         return self.climb_angle, self.roll, self.pitch, self.yaw, self.heave
 
 

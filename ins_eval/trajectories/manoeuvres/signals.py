@@ -94,9 +94,9 @@ class Product:
         return self.envelope(time) * sum(part(time) for part in self.parts)
 
 
-def step_to(initial: float, final: float, length: float, start: float = 0.0) -> Steps:
+def step_to(initial: float, final: float, length: float) -> Steps:
     """Return one smooth change from a value to another."""
-    return Steps(initial, (Step(start, length, final - initial),))
+    return Steps(initial, (Step(0.0, length, final - initial),))
 
 
 def lobe(height: float, ramp: float, hold: float, start: float = 0.0) -> tuple[Step, Step]:

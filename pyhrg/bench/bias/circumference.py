@@ -32,7 +32,6 @@ class Circumference:
 
 
 def fit_circumference(test: Test, site: Site) -> Circumference:
-    """Fit of one power-on."""
     data = read_points(test.log, site, SETTLE, WARM_UP, held=())
     columns = make_columns(data.pattern_angle, data.pattern_angle, HARMONICS, tilt=False)
     worst = max(compute_inflations(columns).values())

@@ -35,11 +35,10 @@ def make_programme(
     soaks: Sequence[float] = SOAKS,
     interval: float = 1.0,
     lags: float = LAGS,
-    pairs: int = PAIRS,
 ) -> Programme:
     """Programme of one power-on: up through the soaks, then down to the first in one ramp.
 
-    Soaks are in degC, each with positions and `pairs` of spins in opposite directions; they last
+    Soaks are in degC, each with positions and `PAIRS` of spins in opposite directions; they last
     `lags` thermal lags of the gyro. Rows are `interval` seconds long.
     """
     course = bench.programme(interval).rest(_round_to_rows(WARM_UP, interval))
@@ -48,7 +47,7 @@ def make_programme(
         now = _add_ramp(course, now, soak + ZERO_CELSIUS)
         course.rest(_round_to_rows(lags * bench.device.thermal_lag, interval))
         add_positions(course, bench.device.bryan_factor)
-        for _ in range(pairs):
+        for _ in range(PAIRS):
             for rate in (SPIN_RATE, -SPIN_RATE):
                 course.spin(rate, _round_to_rows(SPIN, interval)).rest(interval)
         course.turn(PATTERN_STEP / bench.device.bryan_factor, TABLE_RATE)

@@ -43,7 +43,6 @@ class Calibration:
 
     @property
     def scale_factor(self) -> float:
-        """Mean scale-factor error."""
         return self.rates.fit.value(SCALE)
 
     @property

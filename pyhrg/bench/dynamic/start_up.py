@@ -68,7 +68,6 @@ def record(bench: Bench, runs: int = RUNS, duration: float = DURATION) -> list[T
 
 
 def measure_start_up(log: Log, site: Site) -> StartUp:
-    """Start-up of one power-on."""
     log.require("gyro_angle", "amplitude", "amplitude_setpoint", "axis_up")
     rows = round(AVERAGE / log.interval)
     n = len(log.time)

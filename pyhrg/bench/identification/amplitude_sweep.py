@@ -42,7 +42,6 @@ def record(
 
 
 def find_stretches(campaign: Campaign) -> list[Rows]:
-    """Steady rows at each amplitude."""
     logs = [test.log for test in require_tests(campaign, KIND)]
     stretches = output_rows.require_steady_rows(logs, "frequency_offset")
     found = {float(rows.values("amplitude_setpoint")[0]) for rows in stretches}

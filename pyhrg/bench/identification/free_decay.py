@@ -11,11 +11,12 @@ from pyhrg.bench.estimation.row_fit import Part, fit_rows
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.output_rows import SHORTEST_ROWS
 from pyhrg.bench.readings.segments import AT_REST, split_rows
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
 from pyhrg.fmu import CONTROL_PERIOD
 from pyhrg.records import Log
-from pyhrg.theory.free_orbit import Array, FreeShell
+from pyhrg.theory.free_orbit import FreeShell
 
 TERMS = ("decay", "damping cos", "damping sin", "split cos", "split sin")
 CHANNELS = ("angle", "amplitude")

@@ -13,7 +13,7 @@ from pyhrg.bench.outcome import UNITS, Finding, Outcome
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.reporting.judgement import judge_findings
 from pyhrg.common.pages.markup import Table
-from pyhrg.common.toml_table import SpecificationError, TomlTable, read_json_table
+from pyhrg.common.toml_table import TomlTable, read_json_table
 
 SCHEMA = "hrg-bench/1"
 LIMITS = ("at_most", "at_least")
@@ -68,9 +68,9 @@ def read_document(path: Path) -> tuple[Outcome, dict[str, float]]:
     the specification's limits by the findings' keys.
 
     Raises:
-        SpecificationError: the file can't be read, or a key is missing or of another kind.
+        HrgError: the file can't be read, or a key is missing or of another kind.
     """
-    document = read_json_table(path, SpecificationError)
+    document = read_json_table(path)
     stated = document.table("findings")
     specification = document.table("specification")
     limits = {

@@ -54,7 +54,6 @@ class TestResult:
 
     @property
     def name(self) -> str:
-        """Name of the test."""
         return self.procedure.name
 
     @property
@@ -192,7 +191,6 @@ class BenchResults:
         return {failure.procedure.name: failure.reason for failure in failed}
 
     def __getitem__(self, name: str) -> TestResult:
-        """Result of a test by its name."""
         for result in self.results:
             if result.name == name:
                 return result

@@ -30,7 +30,7 @@ def seal_truth(truth: Truth, path: Path) -> str:
 
 def hash_truth(path: Path) -> str:
     """The hash of a truth that was sealed."""
-    return hashlib.sha256(read_bytes(path, DOCUMENT_BYTES, ChallengeError)).hexdigest()
+    return hashlib.sha256(read_bytes(path, DOCUMENT_BYTES)).hexdigest()
 
 
 def open_truth(path: Path, published: str) -> Truth:
@@ -43,10 +43,10 @@ def open_truth(path: Path, published: str) -> Truth:
     known = {field.name for field in fields(Truth)}
     values: dict[str, Any] = {
         key: tuple(value) if isinstance(value, list) else value
-        for key, value in read_json(path, ChallengeError).items()
+        for key, value in read_json(path).items()
         if key in known
     }
-    with refuse_unreadable(path, "truth of a challenge", ChallengeError):
+    with refuse_unreadable(path, "truth of a challenge"):
         return Truth(**values)
 
 

@@ -22,14 +22,13 @@ def make_paragraph(text: str, style: str = "") -> str:
 
 
 def make_table(content: Table) -> str:
-    """A table with its title."""
     rows = [_make_row(content.header, "th"), *(_make_row(cells, "td") for cells in content.rows)]
     return f"<table><caption>{html.escape(content.title)}</caption>{''.join(rows)}</table>"
 
 
-def make_wide_table(content: Table, style: str = "") -> str:
+def make_wide_table(content: Table) -> str:
     """A table that scrolls sideways where it is wider than the page."""
-    return f'<div class="{f"wide {style}".strip()}">{make_table(content)}</div>'
+    return f'<div class="wide">{make_table(content)}</div>'
 
 
 def make_choice(key: str, title: str, options: Mapping[str, str], selected: str = "") -> str:

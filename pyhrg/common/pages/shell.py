@@ -19,7 +19,6 @@ class PageSection:
 
     @property
     def markup(self) -> str:
-        """The section as HTML."""
         name = html.escape(self.name)
         return (
             f'<section id="{name}" aria-labelledby="{name}-title"><h2 id="{name}-title">'
@@ -28,7 +27,6 @@ class PageSection:
 
 
 def make_contents(sections: list[PageSection]) -> str:
-    """A list of links to sections."""
     listed = "".join(
         f'<li><a href="#{html.escape(s.name)}">{html.escape(s.title)}</a></li>' for s in sections
     )

@@ -19,38 +19,37 @@ ENCRYPTED = 1
 class Archive:
     """An open archive, whose entries together are within the limits."""
 
-    def __init__(self, path: Path, file: zipfile.ZipFile, error_class: type[HrgError]) -> None:
-        self._path, self._file, self._error_class = path, file, error_class
+    def __init__(self, path: Path, file: zipfile.ZipFile) -> None:
+        self._path, self._file = path, file
         self.entries = file.infolist()
         """In the order of the archive; a name may be there twice."""
         if len(self.entries) > ARCHIVE_ENTRIES:
-            raise error_class(
+            raise HrgError(
                 f"{path}: found {len(self.entries)} files, expected at most {ARCHIVE_ENTRIES}"
             )
         most = compute_expanded_limit(path.stat().st_size)
-        check_size(path, sum(entry.file_size for entry in self.entries), most, error_class)
+        check_size(path, sum(entry.file_size for entry in self.entries), most)
 
     def read(self, entry: zipfile.ZipInfo | str) -> bytes:
         """Bytes of an entry, checked by its CRC-32."""
         name = entry if isinstance(entry, str) else entry.filename
         place = f"{name} in {self._path}"
-        with refuse_unreadable(place, "intact entry", self._error_class):
+        with refuse_unreadable(place, "intact entry"):
             entry = self._file.getinfo(name) if isinstance(entry, str) else entry
             if entry.compress_type not in METHODS:
                 found = f"found compression method {entry.compress_type}"
-                raise self._error_class(f"{place}: {found}, expected stored or deflated")
+                raise HrgError(f"{place}: {found}, expected stored or deflated")
             with self._file.open(entry) as file:
                 data = file.read(entry.file_size)  # not all: a size that lies bounds no read()
         if len(data) < entry.file_size:
-            raise self._error_class(f"{place}: found {len(data)} bytes of {entry.file_size}")
+            raise HrgError(f"{place}: found {len(data)} bytes of {entry.file_size}")
         return data
 
 
 @contextmanager
-def open_archive(path: Path, error_class: type[HrgError] = HrgError) -> Iterator[Archive]:
-    """An archive, open for reading."""
-    with open_file(path, error_class) as file:
-        with refuse_unreadable(path, "intact ZIP file", error_class):
+def open_archive(path: Path) -> Iterator[Archive]:
+    with open_file(path) as file:
+        with refuse_unreadable(path, "intact ZIP file"):
             archive = zipfile.ZipFile(file)
         with archive:
-            yield Archive(path, archive, error_class)
+            yield Archive(path, archive)

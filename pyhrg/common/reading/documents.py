@@ -12,31 +12,28 @@ from pyhrg.common.reading.files import decode, read_bytes
 from pyhrg.common.reading.limits import DOCUMENT_BYTES, XML_BYTES, check_size
 
 
-def read_json(path: Path, error_class: type[HrgError] = HrgError) -> dict[str, Any]:
+def read_json(path: Path) -> dict[str, Any]:
     """The object that a JSON file holds."""
-    return parse_json(path, read_bytes(path, DOCUMENT_BYTES, error_class), error_class)
+    return parse_json(path, read_bytes(path, DOCUMENT_BYTES))
 
 
-def parse_json(
-    source: object, data: bytes | str, error_class: type[HrgError] = HrgError
-) -> dict[str, Any]:
+def parse_json(source: object, data: bytes | str) -> dict[str, Any]:
     """The object that a JSON document is; the source names it in messages."""
-    with refuse_unreadable(source, "JSON", error_class):
+    with refuse_unreadable(source, "JSON"):
         values = json.loads(data)
     if not isinstance(values, dict):
-        raise error_class(f"{source}: found {type(values).__name__}, expected a JSON object")
+        raise HrgError(f"{source}: found {type(values).__name__}, expected a JSON object")
     return values
 
 
-def read_toml(path: Path, error_class: type[HrgError] = HrgError) -> dict[str, Any]:
+def read_toml(path: Path) -> dict[str, Any]:
     """The table that a TOML file holds."""
-    text = decode(path, read_bytes(path, DOCUMENT_BYTES, error_class), "utf-8", error_class)
-    with refuse_unreadable(path, "TOML", error_class):
+    text = decode(path, read_bytes(path, DOCUMENT_BYTES), "utf-8")
+    with refuse_unreadable(path, "TOML"):
         return tomllib.loads(text)
 
 
-def parse_xml(source: object, data: bytes, error_class: type[HrgError] = HrgError) -> ET.Element:
-    """The root of an XML document."""
-    check_size(source, len(data), XML_BYTES, error_class)
-    with refuse_unreadable(source, "XML", error_class):
+def parse_xml(source: object, data: bytes) -> ET.Element:
+    check_size(source, len(data), XML_BYTES)
+    with refuse_unreadable(source, "XML"):
         return ET.fromstring(data)

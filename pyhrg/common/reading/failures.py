@@ -7,10 +7,8 @@ from pyhrg.common.errors import HrgError
 
 
 @contextmanager
-def refuse_unreadable(
-    source: object, expected: str, error_class: type[HrgError] = HrgError
-) -> Iterator[None]:
-    """Turn every failure of the block into `error_class`.
+def refuse_unreadable(source: object, expected: str) -> Iterator[None]:
+    """Turn every failure of the block into an `HrgError`.
 
     Parsers raise more kinds of errors than they document: of recursion, overflow, memory, lookup.
 
@@ -22,6 +20,6 @@ def refuse_unreadable(
         raise
     except Exception as error:
         if isinstance(error, OSError) and error.strerror:
-            raise error_class(f"{source}: can't be read: {error.strerror}") from error
+            raise HrgError(f"{source}: can't be read: {error.strerror}") from error
         reason = str(error) or type(error).__name__
-        raise error_class(f"{source}: found what is no {expected}: {reason}") from error
+        raise HrgError(f"{source}: found what is no {expected}: {reason}") from error

@@ -20,46 +20,44 @@ SPREADSHEETS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")
 """First bytes of a spreadsheet's file: of Excel and LibreOffice, new and old."""
 
 
-def open_file(path: Path, error_class: type[HrgError] = HrgError) -> BinaryIO:
+def open_file(path: Path) -> BinaryIO:
     """A file or a pipe, opened for reading."""
-    with refuse_unreadable(path, "file", error_class), ExitStack() as stack:
+    with refuse_unreadable(path, "file"), ExitStack() as stack:
         # without waiting: a pipe that nobody writes to is empty
         handle = os.open(path, os.O_RDONLY | WITHOUT_WAITING | getattr(os, "O_BINARY", 0))
         file = stack.enter_context(os.fdopen(handle, "rb"))
         kind = os.fstat(handle).st_mode
         if not (stat.S_ISREG(kind) or stat.S_ISFIFO(kind)):
-            raise error_class(f"{path}: found a device, expected a file")
+            raise HrgError(f"{path}: found a device, expected a file")
         if WITHOUT_WAITING:
             os.set_blocking(handle, True)
         stack.pop_all()
         return file
 
 
-def read_bytes(path: Path, most: int, error_class: type[HrgError] = HrgError) -> bytes:
+def read_bytes(path: Path, most: int) -> bytes:
     """A file's bytes; more than `most` are refused, before they are read where it can be known."""
-    with open_file(path, error_class) as file, refuse_unreadable(path, "file", error_class):
-        check_size(path, os.fstat(file.fileno()).st_size, most, error_class)
+    with open_file(path) as file, refuse_unreadable(path, "file"):
+        check_size(path, os.fstat(file.fileno()).st_size, most)
         data = file.read(most + 1)
-        check_size(path, len(data), most, error_class)
+        check_size(path, len(data), most)
         return data
 
 
-def read_unpacked(path: Path, error_class: type[HrgError] = HrgError) -> bytes:
+def read_unpacked(path: Path) -> bytes:
     """A log's bytes, decompressed if they are gzipped, whatever the file's name."""
-    data = read_bytes(path, LOG_BYTES, error_class)
+    data = read_bytes(path, LOG_BYTES)
     if data.startswith(SPREADSHEETS):
-        raise error_class(
-            f"{path}: found a spreadsheet (Excel) or an archive; save the sheet as CSV"
-        )
+        raise HrgError(f"{path}: found a spreadsheet (Excel) or an archive; save the sheet as CSV")
     if not data.startswith(GZIPPED):
         return data
     most = min(LOG_BYTES, compute_expanded_limit(len(data)))
     with (
-        refuse_unreadable(path, "whole gzipped data", error_class),
+        refuse_unreadable(path, "whole gzipped data"),
         gzip.GzipFile(fileobj=io.BytesIO(data)) as file,
     ):
         unpacked = file.read(most + 1)
-        check_size(path, len(unpacked), most, error_class)
+        check_size(path, len(unpacked), most)
         return unpacked
 
 
@@ -67,8 +65,6 @@ def decode(
     source: object,
     data: bytes,
     encoding: str = "utf-8-sig",
-    error_class: type[HrgError] = HrgError,
 ) -> str:
-    """The text that bytes are in an encoding."""
-    with refuse_unreadable(source, f"text in {encoding}", error_class):
+    with refuse_unreadable(source, f"text in {encoding}"):
         return data.decode(encoding)

@@ -29,10 +29,10 @@ def compute_expanded_limit(size: int) -> int:
     return max(FREE_EXPANSION, EXPANSION * size)
 
 
-def check_size(source: object, size: int, most: int, error_class: type[HrgError]) -> None:
+def check_size(source: object, size: int, most: int) -> None:
     """Refuse a size in bytes above the most."""
     if size > most:
-        raise error_class(
+        raise HrgError(
             f"{source}: found {size / MEBIBYTE:.1f} MiB or more, expected at most "
             f"{most / MEBIBYTE:g} MiB"
         )

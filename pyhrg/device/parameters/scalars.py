@@ -1,23 +1,199 @@
 """All parameters of a gyro that are one number each."""
 
+import math
 from dataclasses import dataclass
 
-from pyhrg.device.parameters.electrodes import DriveParameters, PickoffParameters
-from pyhrg.device.parameters.electronics import ElectronicsParameters
-from pyhrg.device.parameters.installation import InstallationParameters
-from pyhrg.device.parameters.laboratory import LaboratoryParameters
-from pyhrg.device.parameters.noise import NoiseParameters
-from pyhrg.device.parameters.resonator import ResonatorParameters
+from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, HOUR, HZ, PPM
+from pyhrg.device.declarations import EffectDeclaration, ToleranceDeclaration, parameter
+from pyhrg.device.parameters.shell import ShellParameters
 
 
 @dataclass(frozen=True)
-class ScalarParameters(
-    LaboratoryParameters,
-    InstallationParameters,
-    NoiseParameters,
-    ElectronicsParameters,
-    DriveParameters,
-    PickoffParameters,
-    ResonatorParameters,
-):
-    """The parts together. A dataclass takes the fields of its last base first: the resonator's."""
+class ScalarParameters(ShellParameters):
+    """The shell's; what the loops hold, how fast, and what they do not do as told; noise,
+    input-referred by the coefficients of IEEE Std 952; how the gyro stands on the turntable, where
+    its vibration starts, and what the bench's instruments read wrongly, which the FMU does not
+    have. SI."""
+
+    amplitude: float = parameter(
+        1.0, key="amplitude", limits=(0.01, 10), fmu=("startAmplitude", "amplitudeSetpoint")
+    )
+    """Antinode amplitude that is held."""
+    residual_quadrature: float = parameter(
+        key="residual_quadrature",
+        limits=(-0.5, 0.5),
+        fmu="controller.quadratureSetpoint",
+        effect=EffectDeclaration("residual_quadrature", 1e-3, ("wave_angle",), 10),
+    )
+    """Set point of the quadrature loop [q0], amplitude units."""
+    amplitude_loop: float = parameter(
+        6.0,
+        key="amplitude_loop_rad_s",
+        limits=(0.01, 500),
+        fmu="controller.amplitudeLoop.naturalFrequency",
+        known=ToleranceDeclaration(
+            "nominal_amplitude_loop", "nominal", 0.6, relative_tolerance=0.02
+        ),
+    )
+    """Natural frequency of the amplitude loop, rad/s."""
+    quadrature_loop: float = parameter(
+        6.0,
+        key="quadrature_loop_rad_s",
+        limits=(0.01, 500),
+        fmu="controller.quadratureLoop.naturalFrequency",
+        known=ToleranceDeclaration(
+            "nominal_quadrature_loop", "nominal", 0.6, relative_tolerance=0.02
+        ),
+    )
+    """Natural frequency of the quadrature loop, rad/s."""
+    phase_loop: float = parameter(
+        200.0,
+        key="phase_loop_rad_s",
+        limits=(0.01, 500),
+        fmu="controller.phaseLoop.naturalFrequency",
+        known=ToleranceDeclaration("nominal_phase_loop", "nominal", 20.0, relative_tolerance=0.02),
+    )
+    """Natural frequency of the phase loop, rad/s."""
+    control_period: float = parameter(1e-3, key="control_period_s", limits=(1e-3, 1e-3))
+    """Period of the control electronics [Ts], s; the FMU knows this one alone."""
+    loop_delay: float = parameter(
+        key="loop_delay_s",
+        limits=(0, 0.1),
+        fmu="controller.synthesis.loopDelay",
+        effect=EffectDeclaration("loop_delay", 1e-3, ("rate",), 15),
+    )
+    """Delay from detected angle to force, beyond the hold [td], s."""
+    virtual_rotation_error: float = parameter(
+        key="virtual_rotation_gain_ppm",
+        unit=PPM,
+        limits=(-1e5, 1e5),
+        fmu="controller.readout.virtualRotationError",
+        effect=EffectDeclaration("virtual_rotation_gain", 100 * PPM, ("rate",), 17),
+    )
+    """True over commanded virtual rotation, less one."""
+    angle_random_walk: float = parameter(
+        key="angle_random_walk_deg_sqrt_h",
+        unit=DEG_PER_SQRT_H,
+        limits=(0, 10),
+        noise=EffectDeclaration("angle_random_walk", 1e-3 * DEG_PER_SQRT_H, ("noise",)),
+    )
+    """White force noise, as the input-referred angle random walk [N], rad/sqrt(s)."""
+    rate_random_walk: float = parameter(
+        key="rate_random_walk_deg_h_sqrt_h",
+        unit=DEG_PER_H / math.sqrt(HOUR),
+        limits=(0, 1000),
+        noise=EffectDeclaration(
+            "rate_random_walk", 1e-2 * DEG_PER_H / math.sqrt(HOUR), ("noise", "time")
+        ),
+    )
+    """Input-referred rate random walk coefficient [K], rad/s/sqrt(s)."""
+    bias_instability: float = parameter(
+        key="bias_instability_deg_h",
+        unit=DEG_PER_H,
+        limits=(0, 1e4),
+        fmu="noise.biasInstability",
+        noise=EffectDeclaration("bias_instability", 1e-2 * DEG_PER_H, ("noise", "time")),
+    )
+    """Input-referred flicker coefficient (IEEE Std 952: the Allan deviation's floor is 0.664 B)
+    [B], rad/s."""
+    angle_white_noise: float = parameter(
+        key="angle_white_noise_arcsec",
+        unit=ARCSEC,
+        limits=(0, 1e4),
+        noise=EffectDeclaration("angle_white_noise", 0.1 * ARCSEC, ("noise",)),
+    )
+    """Standard deviation of the white noise of the detected angle, per 1 ms sample, as an angle of
+    the case, rad."""
+    quantization_step: float = parameter(
+        key="quantum_arcsec",
+        unit=ARCSEC,
+        limits=(0, 3600),
+        fmu="controller.readout.quantum",
+        noise=EffectDeclaration("angle_quantisation", 0.3 * ARCSEC, ("noise",)),
+    )
+    """Quantization step of the output angle, rad; 0: none."""
+    misalignment: float = parameter(
+        key="misalignment_rad",
+        limits=(0, 0.5),
+        effect=EffectDeclaration(
+            "input_axis_misalignment",
+            1e-3,
+            ("table_angle",),
+            25,
+            angle="misalignment_direction",
+            periods=1,
+        ),
+    )
+    """Tilt of the input axis from the table's axis, rad; the mounting's, not the FMU's."""
+    misalignment_direction: float = parameter(
+        key="misalignment_direction_deg", unit=DEG, limits=(-360, 360)
+    )
+    """Azimuth about the table's axis to which the input axis tilts at table angle 0, rad."""
+    power_on_angle: float = parameter(key="power_on_angle_deg", unit=DEG, limits=(-360, 360))
+    """Pattern angle at which the electronics start the vibration, rad."""
+    power_on_scatter: float = parameter(key="power_on_scatter_deg", unit=DEG, limits=(0, 45))
+    """Standard deviation of that angle from one power-on to the next, rad."""
+    frequency_error: float = parameter(
+        key="frequency_error_Hz",
+        unit=HZ,
+        limits=(-1000, 1000),
+        known=ToleranceDeclaration("nominal_frequency", "nominal", 1 * HZ, 7 * HZ),
+    )
+    """True modal frequency less the one from which the frequency offset counts, rad/s."""
+    thermometer_offset: float = parameter(
+        key="thermometer_offset_K",
+        limits=(-100, 100),
+        known=ToleranceDeclaration("thermometer_offset", "bench", 1.0, 0.2),
+    )
+    """Reading of the case thermometer less the case's temperature, K."""
+    thermometer_lag: float = parameter(
+        key="thermometer_lag_s",
+        limits=(-3600, 3600),
+        known=ToleranceDeclaration("thermometer_lag", "bench", 60.0, 20.0),
+    )
+    """Time constant of the thermometer's reading behind the case, s."""
+    thermometer_gain: float = parameter(
+        key="thermometer_gain",
+        limits=(-0.5, 0.5),
+        known=ToleranceDeclaration("thermometer_gain", "bench", 0.1, 0.002),
+    )
+    """Change of the reading over the change of the case's temperature, less one."""
+    latitude_error: float = parameter(
+        key="latitude_error_deg",
+        unit=DEG,
+        limits=(-180, 180),
+        known=ToleranceDeclaration("site_latitude", "bench", 0.1 * DEG, 0.01 * DEG),
+    )
+    """True less stated latitude of the site, rad. A tilt of the table's axis to the north does the
+    same to an upright axis."""
+    encoder_eccentricity: float = parameter(
+        key="encoder_eccentricity_arcsec",
+        unit=ARCSEC,
+        limits=(0, 3600),
+        known=ToleranceDeclaration(
+            "encoder_eccentricity",
+            "bench",
+            10 * ARCSEC,
+            1 * ARCSEC,
+            angle="encoder_eccentricity_phase",
+            periods=1,
+        ),
+    )
+    """Amplitude of the encoder's error over one turn of the table, rad."""
+    encoder_eccentricity_phase: float = parameter(
+        key="encoder_eccentricity_phase_deg", unit=DEG, limits=(-360, 360)
+    )
+    """Phase of that error, rad: the true rate is the one read times 1 + a cos(reading + phase)."""
+    clock_latency: float = parameter(
+        key="clock_latency_s",
+        limits=(-1, 1),
+        known=ToleranceDeclaration("clock_latency", "record", 1e-4, 1e-5),
+    )
+    """Time by which the gyro's angle is read later than the encoder, s."""
+    clock_rate: float = parameter(
+        key="clock_rate_ppm",
+        unit=PPM,
+        limits=(-1e5, 1e5),
+        known=ToleranceDeclaration("clock_rate", "record", 10 * PPM, 1 * PPM),
+    )
+    """Growth of that time with the time since power-on, s/s."""

@@ -62,10 +62,9 @@ def predict(
     Raises:
         DiagnosisError: the file is no diagnosis, or that of another gyro.
         CampaignError: the folder is no campaign.
-        DeviceError: the nominal values are no gyro's.
         LogError: the log can't be used, or its inputs can't be determined.
         GyroError: the FMU refuses the identified device.
-        BuildError, TranslationError: the FMU of the gyro with terms can't be built.
+        HrgError: the nominal values are no gyro's, or the FMU with terms can't be built.
     """
     report = make_progress_reporter(progress)
     campaign = (

@@ -10,7 +10,6 @@ from pyhrg.gap.findings.diagnosis import (
     SCHEMA,
     Cause,
     Diagnosis,
-    DiagnosisError,
     Gap,
     GapFigure,
     KnownValue,
@@ -42,7 +41,7 @@ def read_diagnosis(path: Path | str) -> Diagnosis:
         DiagnosisError: an unreadable file, one that is no diagnosis, or that of a static record.
     """
     path = Path(path)
-    return _parse(read_json_table(path / FILE if path.is_dir() else path, DiagnosisError))
+    return _parse(read_json_table(path / FILE if path.is_dir() else path))
 
 
 def _parse(index: TomlTable) -> Diagnosis:

@@ -10,7 +10,7 @@ import numpy as np
 
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
-from pyhrg.gap.soundness.exclusion import Array, find_runs, has_values, replace_columns
+from pyhrg.gap.soundness.exclusion import Array, find_runs, replace_columns
 from pyhrg.gap.soundness.fault import AXIS_SIGN, TABLE_SIGN, Fault
 from pyhrg.records import Log
 from pyhrg.records.columns import BY_FIELD
@@ -100,9 +100,9 @@ def _check_axis_sign(logs: Sequence[Log], nominal: Device) -> list[Fault]:
 def _list_rests(log: Log) -> list[tuple[float, float, float]]:
     """Projection of the axis, mean rate against the table, rad/s, and duration, s, of each rest of
     table and commands with the drive on."""
-    if not has_values(log, "axis_up", "gyro_angle"):
+    if not log.has_values("axis_up", "gyro_angle"):
         return []
-    table = log.table_angle if has_values(log, "table_angle") else np.zeros(len(log.time))
+    table = log.table_angle if log.has_values("table_angle") else np.zeros(len(log.time))
     angle = log.gyro_angle - table
     still = np.isfinite(np.diff(angle)) & (np.diff(log.axis_up) == 0)
     still &= np.abs(np.diff(table)) < REST_TURN

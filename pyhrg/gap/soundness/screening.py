@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from pyhrg.common.errors import HrgError
 from pyhrg.device.device import Device
 from pyhrg.device.device_file import from_table
 from pyhrg.device.keys import KEYS
@@ -149,7 +150,7 @@ def describe_screening(campaign: Campaign) -> str:
 
 def nominal_device(campaign: Campaign) -> Device:
     """The device that a campaign's nominal values state, without values that are no device key;
-    a `DeviceError` where they are no device's."""
+    an `HrgError` where they are no device's."""
     names = {key.name for key in KEYS}
     nominal = {name: value for name, value in campaign.nominal.items() if name in names}
     return replace(from_table(nominal, f"{INDEX}: nominal"), site=campaign.site)
@@ -220,7 +221,7 @@ def _read_log(test: Test) -> Log | str:
             raise LogError(
                 f"{log.source}: time_s: expected two rows at least, and time to increase"
             )
-    except LogError as error:
+    except HrgError as error:
         return f"{test.id}: not used: {error}"
     return log
 
@@ -240,7 +241,7 @@ def _screen_test(
     try:
         complete, missing, filled = complete_inputs(apply_exclusions(log, wrong_inputs), nominal)
         log, interrupted = mend_drive(complete, nominal)
-    except LogError as error:
+    except HrgError as error:
         return "; ".join([f"{test.id}: not used: {error}", *notes])
     angles = check_angles(log, nominal)
     others = check_amplitude(log) + check_swapped_forces(log, nominal)

@@ -1,16 +1,14 @@
 """The noise of a static record of any gyro or accelerometer, compared with a belief: the noise that
 the sensor should have, with a tolerance. The method is in docs/methods/noise.md."""
 
-from pyhrg.gap.static_record.belief import Belief, BeliefError
-from pyhrg.gap.static_record.record import RecordError, StaticRecord
+from pyhrg.gap.static_record.belief import Belief
+from pyhrg.gap.static_record.record import StaticRecord
 from pyhrg.gap.static_record.result import RecordDiagnosis
 from pyhrg.gap.static_record.run import compute_allan, diagnose_record
 
 __all__ = [
     "Belief",
-    "BeliefError",
     "RecordDiagnosis",
-    "RecordError",
     "StaticRecord",
     "compute_allan",
     "diagnose_record",

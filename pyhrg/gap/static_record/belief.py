@@ -7,22 +7,16 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.common.toml_table import TomlTable, read_table
 from pyhrg.gap.static_record.terms import KINDS, Kind
-
-Array = NDArray[np.float64]
 
 DEFAULT_TOLERANCE = 0.1
 """Relative standard deviation of a believed level where the file states none (chosen)."""
 TABLES = "[gyros], [accelerometers] or a channel such as [gyro_x]"
 PERIODS, TOLERANCE_PERCENT = "sinusoid_periods_s", "tolerance_percent"
-
-
-class BeliefError(HrgError):
-    """The belief can't be used; the message names file, key, what was found and expected."""
 
 
 @dataclass(frozen=True)
@@ -57,24 +51,24 @@ def read_beliefs(path: Path) -> dict[str, Belief]:
         Beliefs by the names of the tables.
 
     Raises:
-        BeliefError: the file can't be read; a table or key is unknown; a value is no number or
+        HrgError: the file can't be read; a table or key is unknown; a value is no number or
             negative; a table states no noise.
     """
-    top = read_table(path, BeliefError)
+    top = read_table(path)
     if not top.values:
-        raise BeliefError(f"{path}: found nothing, expected {TABLES}")
+        raise HrgError(f"{path}: found nothing, expected {TABLES}")
     beliefs = {}
     for name in top.values:
         kind = next((kind for kind in KINDS if name.startswith(kind.name)), None)
         if kind is None:
-            raise BeliefError(f"{path}: found {name!r}, expected {TABLES}")
+            raise HrgError(f"{path}: found {name!r}, expected {TABLES}")
         beliefs[name] = parse_belief(top.table(name).values, kind, f"{path.name}: {name}")
     return beliefs
 
 
 def parse_belief(values: Mapping[str, object], kind: Kind, source: str) -> Belief:
     """The belief that a table of values states; it raises as `read_beliefs` does."""
-    table = TomlTable(source, "", values, BeliefError)
+    table = TomlTable(source, "", values)
     table.check_known([*kind.by_parameter, PERIODS, TOLERANCE_PERCENT])
     lowest = {kind.ramp.parameter: -sys.float_info.max}
     stated = {
@@ -87,7 +81,7 @@ def parse_belief(values: Mapping[str, object], kind: Kind, source: str) -> Belie
     levels[0] = math.hypot(levels[0], quantum)
     if not levels.any():
         names = ", ".join(t.parameter for t in kind.terms)
-        raise BeliefError(f"{source}: found no noise, expected one of {names} above 0")
+        raise HrgError(f"{source}: found no noise, expected one of {names} above 0")
     periods = table.numbers(PERIODS, None, 0.0, math.inf)
     if 0 in periods:
         raise table.error(PERIODS, list(periods), "periods above 0")

@@ -2,9 +2,10 @@
 
 from typing import Any
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.static_record.belief import PERIODS, TOLERANCE_PERCENT
 from pyhrg.gap.static_record.fit.diagnosis import Cause, ChannelDiagnosis, HalfComparison
-from pyhrg.gap.static_record.result import Array, RecordDiagnosis, locate_excess
+from pyhrg.gap.static_record.result import RecordDiagnosis, locate_excess
 
 SCHEMA = "hrg-diagnosis/1"
 DIGITS = 6

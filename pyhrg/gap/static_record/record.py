@@ -4,8 +4,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.common.reading.files import read_unpacked
 from pyhrg.gap.static_record.terms import ACCELEROMETER, GYRO, Kind
@@ -13,17 +13,11 @@ from pyhrg.records import Log, read_log
 from pyhrg.records.imu import recorded
 from pyhrg.records.missing_inputs import turns
 
-Array = NDArray[np.float64]
-
 MIN_READINGS = 1024
 """Smallest number of readings of a channel; half of them are held out (chosen)."""
 BENCH_COLUMN = b"gyro_angle_deg"
 HEADER_BYTES = 4096
 """Bytes at the start of a file in which the header of a table is expected."""
-
-
-class RecordError(HrgError):
-    """The record can't be diagnosed; the message says why."""
 
 
 @dataclass(frozen=True)
@@ -78,10 +72,9 @@ def read_static_record(path: Path, trusted: bool = False) -> StaticRecord:
             rate in it contradict them.
 
     Raises:
-        pyhrg.records.imu.log.LogError, pyhrg.records.LogError: the file can't be used.
-        RecordError: it is too short, or a channel never changes.
+        HrgError: the file can't be used or is too short, or a channel never changes.
     """
-    if BENCH_COLUMN in read_unpacked(path, RecordError)[:HEADER_BYTES]:
+    if BENCH_COLUMN in read_unpacked(path)[:HEADER_BYTES]:
         return _take_bench_log(read_log(path))
     imu = recorded.read_imu_log(path, trusted).increments
     channels = [
@@ -101,14 +94,12 @@ def channel_from_increments(
     """
     increments = np.asarray(increments, dtype=np.float64)
     if len(increments) < MIN_READINGS:
-        raise RecordError(
-            f"{name}: found {len(increments)} readings, expected {MIN_READINGS} or more"
-        )
+        raise HrgError(f"{name}: found {len(increments)} readings, expected {MIN_READINGS} or more")
     if not np.all(np.isfinite(increments)):
         row = int(np.argmin(np.isfinite(increments)))
-        raise RecordError(f"{name}: reading {row}: found {increments[row]}, expected a number")
+        raise HrgError(f"{name}: reading {row}: found {increments[row]}, expected a number")
     if np.ptp(increments) == 0:
-        raise RecordError(f"{name}: found {increments[0]:g} in all readings, expected noise")
+        raise HrgError(f"{name}: found {increments[0]:g} in all readings, expected noise")
     mean = float(np.mean(increments))
     quantum = find_quantization_step(increments)
     angle = np.cumsum(increments - mean)

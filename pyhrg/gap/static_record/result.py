@@ -5,13 +5,11 @@ from dataclasses import dataclass
 
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.static_record.fit.diagnosis import ChannelDiagnosis
 from pyhrg.gap.static_record.fit.unknowns import split_octaves
 from pyhrg.gap.static_record.terms import GYRO
-
-Array = NDArray[np.float64]
 
 VERDICTS = ("no_gap", "explained", "ambiguous", "unexplained")
 """Verdicts in rising order; a record has the highest of its channels."""

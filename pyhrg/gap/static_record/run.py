@@ -3,8 +3,9 @@
 from collections.abc import Mapping
 from pathlib import Path
 
+from pyhrg.common.errors import HrgError
 from pyhrg.gap.static_record.allan import RecordNoise, measure_noise
-from pyhrg.gap.static_record.belief import Belief, BeliefError, read_beliefs
+from pyhrg.gap.static_record.belief import Belief, read_beliefs
 from pyhrg.gap.static_record.fit.diagnosis import diagnose_channel
 from pyhrg.gap.static_record.fit.hypotheses import FALSE_ALARMS
 from pyhrg.gap.static_record.record import StaticRecord, read_static_record
@@ -32,8 +33,8 @@ def diagnose_record(
         seed: of the importance samples.
 
     Raises:
-        BeliefError: the belief is wrong, or holds none of the record's sensors.
-        LogError, RecordError: the file can't be used.
+        HrgError: the belief is wrong, or holds none of the record's sensors; the file can't be
+            used.
         OSError: the folder can't be written.
     """
     beliefs = belief if isinstance(belief, Mapping) else read_beliefs(Path(belief))
@@ -59,7 +60,7 @@ def compute_allan(
         out: folder that `allan.json`, `allan.csv` and `report.html` are written to.
 
     Raises:
-        LogError, RecordError: the file can't be used.
+        LogError, HrgError: the file can't be used.
         NoiseError: a channel has no noise.
         OSError: the folder can't be written.
     """
@@ -81,7 +82,7 @@ def _compare_with_beliefs(
     channels = [c for c in record.channels if c.name in known]
     if not channels:
         kinds = " and ".join(sorted({c.kind.table for c in record.channels}))
-        raise BeliefError(f"{record.source}: found a record of {kinds}, expected a belief of them")
+        raise HrgError(f"{record.source}: found a record of {kinds}, expected a belief of them")
     false_alarms = FALSE_ALARMS / len(channels)
     diagnoses = tuple(diagnose_channel(c, known[c.name], false_alarms, seed) for c in channels)
     shared = compute_shared_power([c.part(0, c.half) for c in record.channels])

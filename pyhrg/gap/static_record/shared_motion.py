@@ -4,12 +4,10 @@ common."""
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.static_record.fit.unknowns import split_octaves
 from pyhrg.gap.static_record.record import Channel
-
-Array = NDArray[np.float64]
 
 BAND_FREQUENCIES = 16
 """Smallest number of frequencies in a band over which one response is fitted (chosen)."""

@@ -6,7 +6,7 @@ from datetime import datetime
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.common.errors import quote
+from pyhrg.common.errors import HrgError, quote
 from pyhrg.records.campaign_import.column_mapping import ColumnMapping
 from pyhrg.records.campaign_import.layout import Cells
 from pyhrg.records.columns import LogError
@@ -40,7 +40,7 @@ def convert_to_si(mapping: ColumnMapping, cells: Cells) -> Array:
         return np.full(len(cells.rows), value)
     try:
         numbers = cells.numbers(mapping.logged)
-    except LogError as error:
+    except HrgError as error:
         raise LogError(f"{error} ({mapping.place})") from error
     return mapping.unit.factor * (mapping.scale * numbers + mapping.offset) + mapping.unit.offset
 

@@ -84,7 +84,7 @@ def draft_mapping(files: Sequence[Path | str], folder: Path | str = ".") -> str:
 
 def _read_sketch(path: Path) -> Sketch:
     """Separator, decimal and header of a log, from its first lines."""
-    lines = decode(path.name, read_unpacked(path, LogError), error_class=LogError).splitlines()
+    lines = decode(path.name, read_unpacked(path)).splitlines()
     lines = [line for line in lines[:50] if line.strip() and not line.startswith("#")]
     if len(lines) < 2 or not re.search("[A-Za-z]", lines[0]):
         raise LogError(f"{path}: found no row of names above the values, expected one")

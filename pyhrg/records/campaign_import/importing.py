@@ -59,8 +59,8 @@ def import_campaign(mapping: Path | str, out: Path | str | None = None) -> Impor
         out: folder to write the campaign to; not there yet, or empty. None: nothing is written.
 
     Raises:
-        SpecificationError: the mapping can't be used.
-        LogError: a file, column or cell is not as the mapping says, or `read_log` would refuse
+        HrgError: the mapping can't be used.
+        HrgError: a file, column or cell is not as the mapping says, or `read_log` would refuse
             the log. Rows are named by the lines of the laboratory's file.
         HrgError: there is something in `out`.
         OSError: `out` can't be written.

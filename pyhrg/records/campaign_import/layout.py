@@ -97,7 +97,6 @@ class Cells:
 
 
 def read_layout(table: TomlTable) -> Layout:
-    """The layout that a table of a mapping states."""
     table.check_known(
         (
             *("separator", "decimal", "comment", "encoding", "missing"),
@@ -124,7 +123,6 @@ def read_layout(table: TomlTable) -> Layout:
 
 
 def read_cells(path: Path, layout: Layout) -> Cells:
-    """The cells of a file."""
     lines = _split_lines(path.name, read_text(path, layout.encoding), layout)
     names: tuple[str, ...] = ()
     if layout.header:
@@ -153,7 +151,7 @@ def _split_lines(source: str, text: str, layout: Layout) -> Iterator[tuple[int, 
             yield number, tuple(line.split())
         else:
             place = f"{source}: line {number}"
-            _, cells = next(parse_csv(place, line, layout.separator, LogError))
+            _, cells = next(parse_csv(place, line, layout.separator))
             yield number, tuple(cells)
 
 

@@ -78,7 +78,6 @@ def check_lengths(source: str, lines: Sequence[str], first_row: int, names: Sequ
 
 
 def make_field_error(source: str, row: int, field: str, found: str, expected: str) -> LogError:
-    """Make the error about one field of one row."""
     return LogError(f"{source}: row {row}, {field}: found {found}, expected {expected}")
 
 

@@ -3,7 +3,6 @@
 from pathlib import Path
 
 from pyhrg.common.reading.files import decode, read_unpacked
-from pyhrg.records.columns import LogError
 from pyhrg.records.imu import psins
 from pyhrg.records.imu.log import RecordedImu
 from pyhrg.records.imu.table_log import PARQUET, read_csv, read_parquet
@@ -18,15 +17,15 @@ def read_imu_log(path: Path, trusted: bool = False) -> RecordedImu:
             contradict them.
 
     Raises:
-        LogError: the file can't be read or is cut off; a column is missing or stands there twice; a
+        HrgError: the file can't be read or is cut off; a column is missing or stands there twice; a
             row has too few or too many fields; a field is no finite number; time stands, runs back
             or steps unevenly; there are too few rows; a unit, axis or column is another than
             stated.
     """
-    data = read_unpacked(path, LogError)
+    data = read_unpacked(path)
     if data.startswith(PARQUET):
         return read_parquet(str(path), data, trusted)
-    lines = decode(path, data, error_class=LogError).rstrip().splitlines()
+    lines = decode(path, data).rstrip().splitlines()
     if lines and lines[0].startswith(psins.COMMENT):
         return psins.read_psins(str(path), lines, trusted)
     return read_csv(str(path), lines, trusted)

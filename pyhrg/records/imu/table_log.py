@@ -44,7 +44,7 @@ def read_csv(source: str, lines: list[str], trusted: bool) -> RecordedImu:
 
 def read_parquet(source: str, data: bytes, trusted: bool) -> RecordedImu:
     """The log of a Parquet file, whose first row of values is row 1."""
-    frame = parse_parquet(source, data, LogError)
+    frame = parse_parquet(source, data)
     kinds = _choose_quantities(source, [str(name) for name in frame.columns])
     columns = _list_columns(kinds)
     for name in columns:

@@ -13,6 +13,7 @@ from tests.agreement.paper.gyros import (
     load_fmu,
     simulate_output_rate,
 )
+from tests.driving import advance
 
 D, AXIS = 4e-3, 15 * DEG
 LIMIT = D / (4 * K)
@@ -34,8 +35,8 @@ def figures() -> dict[str, float]:
 def _lock_in() -> dict[str, float]:
     """Where the pattern stops, and what Eq. (5) makes of it, printed and corrected."""
     with load_fmu("HRGSlow").power_on(GYRO, seed=0, start_angle=0.0) as gyro:
-        begin = gyro.advance(INPUT, SETTLED)
-        stopped = (gyro.advance(INPUT, 100.0) - begin) / 100
+        begin = advance(gyro, INPUT, SETTLED)
+        stopped = (advance(gyro, INPUT, 100.0) - begin) / 100
         angle = gyro.read("patternAngle")
     sine = math.sin(4 * (angle - AXIS))
     mapped = {
@@ -59,7 +60,7 @@ def _stability() -> dict[str, float]:
     moved = {}
     for name, angle in rest.items():
         with load_fmu("HRGSlow").power_on(GYRO, seed=0, start_angle=angle + 0.1 * DEG) as gyro:
-            gyro.advance(INPUT, SETTLED)
+            advance(gyro, INPUT, SETTLED)
             moved[f"{name}_departure_deg"] = abs(gyro.read("patternAngle") - angle) / DEG
     return moved
 

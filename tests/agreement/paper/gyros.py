@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from fmu_build.bundle import build_fmu
 from pyhrg.fmu import GyroFmu
+from tests.driving import advance
 
 Array = NDArray[np.float64]
 Parameters = Mapping[str, float]
@@ -49,8 +50,8 @@ def simulate_output_rate(
     with load_fmu(model).power_on(parameters, seed=0, start_angle=start_angle) as gyro:
         for name, value in commands.items():
             gyro.command(name, value)
-        begin = gyro.advance(rate, settle)
-        return (gyro.advance(rate, duration) - begin) / duration
+        begin = advance(gyro, rate, settle)
+        return (advance(gyro, rate, duration) - begin) / duration
 
 
 @dataclass(frozen=True)

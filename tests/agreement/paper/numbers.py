@@ -8,6 +8,7 @@ from scipy import integrate
 from pyhrg.common.site import Site
 from pyhrg.common.units import DEG, DEG_PER_H, HOUR, NAUTICAL_MILE
 from tests.agreement.paper.gyros import TAU, K, load_fmu
+from tests.driving import advance
 
 MOVED = 0.1
 """What the pattern moves in two hours (section 1.2), rad."""
@@ -109,7 +110,7 @@ def _start_up() -> dict[str, float]:
     valid, full = math.nan, math.nan
     with load_fmu().power_on(parameters, seed=0, start_angle=0.3) as gyro:
         while math.isnan(full):
-            gyro.advance(0.0, 0.01)
+            advance(gyro, 0.0, 0.01)
             if math.isnan(valid) and gyro.read("valid") == 1:
                 valid = gyro.time
             if gyro.read("amplitude") > 0.99 * FULL:

@@ -6,6 +6,7 @@ import pytest
 from fmu_build.bundle import build_fmu
 from fmu_build.roots import ROOTS
 from pyhrg.fmu import GyroFmu
+from tests.driving import advance
 
 LENGTH = {"HRG": 2.0, "HRGCarrier": 0.2, "HRGSlow": 20.0}
 
@@ -28,7 +29,7 @@ def test_parameters_at_their_limits(model: str) -> None:
         if name in ("seed", "startAngle"):
             continue  # set at power-on
         with fmu.power_on({name: value}, seed=1, start_angle=0.3) as gyro:
-            assert np.isfinite(gyro.advance(0.1, LENGTH[model])), (name, value)
+            assert np.isfinite(advance(gyro, 0.1, LENGTH[model])), (name, value)
             assert abs(gyro.read("amplitude")) < 100, (name, value)
 
 
@@ -39,7 +40,7 @@ def test_inputs_at_their_limits(model: str) -> None:
         with fmu.power_on({}, seed=1, start_angle=0.3) as gyro:
             gyro.command(name, value)
             rate = value if name == "angularRate" else 0.1
-            assert np.isfinite(gyro.advance(rate, LENGTH[model])), (name, value)
+            assert np.isfinite(advance(gyro, rate, LENGTH[model])), (name, value)
 
 
 @pytest.mark.parametrize("model", ROOTS)

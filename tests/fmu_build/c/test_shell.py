@@ -8,6 +8,7 @@ from fmpy.fmi2 import FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 
 from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroError, GyroFmu
+from tests.driving import advance
 
 FMI2_DISCARD = 2
 LAST_SUCCESSFUL_TIME, TERMINATED = 2, 3
@@ -51,7 +52,7 @@ def test_input_that_makes_no_sense_stops_the_drive(fmu: GyroFmu) -> None:
         fmu.power_on({}, seed=0, start_angle=0.0) as gyro,
         pytest.raises(GyroError, match=r"angularRate = 1000 is outside its range"),
     ):
-        gyro.advance(1000.0, 0.01)
+        advance(gyro, 1000.0, 0.01)
 
 
 @pytest.mark.parametrize("step", [0.002, 0.01, 0.1, 1.0])
@@ -59,7 +60,7 @@ def test_communication_step_does_not_matter(fmu: GyroFmu, step: float) -> None:
     def run(communication_step: float) -> list[float]:
         with fmu.power_on(TYPICAL.fmu_parameters(), seed=7, start_angle=0.3) as gyro:
             for _ in range(round(2.0 / communication_step)):
-                gyro.advance(0.05, communication_step)
+                advance(gyro, 0.05, communication_step)
             return [gyro.read(name) for name in ("gyroAngle", "amplitude", "quadratureForce")]
 
     assert run(step) == run(0.001)
@@ -133,7 +134,7 @@ def test_steps_that_are_no_multiple_of_a_tick(fmu: GyroFmu) -> None:
     def run(steps: list[float]) -> float:
         with fmu.power_on(TYPICAL.fmu_parameters(), seed=7, start_angle=0.3) as gyro:
             for step in steps:
-                angle = gyro.advance(0.5, step)
+                angle = advance(gyro, 0.5, step)
         return angle
 
     uneven = [0.0007] * 571 + [0.4 - 0.0007 * 571]
@@ -175,7 +176,7 @@ def test_state_that_is_no_number_is_an_error(fmu: GyroFmu) -> None:
         fmu.power_on(wild, seed=1, start_angle=0.0) as gyro,
         pytest.raises(GyroError, match="no longer finite"),
     ):
-        gyro.advance(0.0, 100.0)
+        advance(gyro, 0.0, 100.0)
 
 
 def test_step_from_the_wrong_time_is_refused(slave: FMU2Slave) -> None:

@@ -8,8 +8,9 @@ import pytest
 
 from fmu_build.bundle import build_fmu
 from fmu_build.check import report  # noqa: F401 (registers the rules)
-from fmu_build.check.archive import UnusableError, open_fmu
+from fmu_build.check.archive import open_fmu
 from fmu_build.check.rules.rule import RULES
+from pyhrg.common.errors import HrgError
 from tests.fmu_build.check.tampering import (
     Content,
     added,
@@ -285,12 +286,12 @@ def test_every_rule_is_tested() -> None:
 def test_unusable_input_is_an_error(
     tmp_path: Path, change: Callable[[Content], None], words: str
 ) -> None:
-    with pytest.raises(UnusableError, match=words):
+    with pytest.raises(HrgError, match=words):
         open_fmu(tampered(build_fmu(), tmp_path, change))
 
 
 def test_what_is_no_archive_is_an_error(tmp_path: Path) -> None:
     path = tmp_path / "text.fmu"
     path.write_text("no ZIP file")
-    with pytest.raises(UnusableError, match="is no intact ZIP file"):
+    with pytest.raises(HrgError, match="is no intact ZIP file"):
         open_fmu(path)

@@ -6,24 +6,25 @@ import pytest
 
 from fmu_build.code.generate import generate_source
 from fmu_build.equations import translate as translate_module
-from fmu_build.equations.translate import TranslationError, translate
+from fmu_build.equations.translate import translate
+from pyhrg.common.errors import HrgError
 from tests.fmu_build.modelica import SAMPLED, translated
 
 
 def test_modelica_error_names_model_and_cause(tmp_path: Path) -> None:
-    with pytest.raises(TranslationError, match=r"P\.M: .*nowhere"):
+    with pytest.raises(HrgError, match=r"P\.M: .*nowhere"):
         translated(tmp_path, SAMPLED.replace("twice = 2*x", "twice = 2*nowhere"))
 
 
 def test_other_compiler_version_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(translate_module, "COMPILER_VERSION", "0.0.0")
-    with pytest.raises(TranslationError, match=r"is installed; expected 0\.0\.0"):
+    with pytest.raises(HrgError, match=r"is installed; expected 0\.0\.0"):
         translate(tmp_path, "P.M")
 
 
 def test_model_without_clock_is_refused(tmp_path: Path) -> None:
     body = "model M\n Real x(start = 1, fixed = true);\nequation\n der(x) = -x;\nend M;"
-    with pytest.raises(TranslationError, match="has no sample clock"):
+    with pytest.raises(HrgError, match="has no sample clock"):
         translated(tmp_path, body)
 
 

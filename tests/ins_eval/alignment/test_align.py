@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 
 from ins_eval.alignment.align import align
-from ins_eval.alignment.analytic import AlignmentError, level_and_gyrocompass
+from ins_eval.alignment.analytic import level_and_gyrocompass
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.specification import load_imu
 from ins_eval.trajectories.catalogue import load_trajectory
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
 from pyhrg.records.imu.increments import Increments
 from tests.ins_eval.alignment.cases import (
@@ -152,17 +153,17 @@ def with_hole(record: Increments) -> Increments:
 def test_refused_with_what_was_expected(
     spoil: Callable[[Increments], Increments], message: str
 ) -> None:
-    with pytest.raises(AlignmentError, match=message):
+    with pytest.raises(HrgError, match=message):
         align(spoil(make_still_record(300.0, 0.1)), POSITION, ERRORS)
 
 
 @pytest.mark.parametrize("latitude", [90 * DEG, -89.5 * DEG, np.nan])
 def test_a_pole_is_refused(latitude: float) -> None:
-    with pytest.raises(AlignmentError, match="at a pole there is no north"):
+    with pytest.raises(HrgError, match="at a pole there is no north"):
         align(make_still_record(60.0, 0.1), np.array([latitude, 0.0, 0.0]), ERRORS)
 
 
 def test_a_car_that_drives_off_is_refused() -> None:
     drive = load_trajectory("car", 310.0, 10.0)
-    with pytest.raises(AlignmentError, match=r"velocity changes by \d.* standing vehicle"):
+    with pytest.raises(HrgError, match=r"velocity changes by \d.* standing vehicle"):
         align(drive.increments(0.0, 0.1, 3000), drive.position(np.array(0.0)), ERRORS)

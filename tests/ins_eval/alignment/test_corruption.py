@@ -9,9 +9,9 @@ import pytest
 
 from ins_eval.alignment.align import align
 from ins_eval.alignment.corruption import check_samples
-from ins_eval.alignment.result import AlignmentError
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.specification import load_imu
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG
 from pyhrg.records.imu.increments import Increments
 from tests.ins_eval.alignment.cases import (
@@ -79,7 +79,7 @@ def jump(sensor: str, axis: int, size: float, seconds: float = 0.1) -> Spoil:
     ],
 )
 def test_a_spoiled_record_is_refused(kind: str, spoil: Spoil, message: str) -> None:
-    with pytest.raises(AlignmentError, match=message):
+    with pytest.raises(HrgError, match=message):
         align(corrupt(make_sound_record(kind), spoil), POSITION, SIMPLE)
 
 
@@ -91,15 +91,13 @@ def test_a_turn_that_only_the_gyros_feel_is_refused(
     """Over 5 s, about down: too slow for a spike. Without the refusal heading is off by up to
     15 deg, and a sway of metres found."""
     record = corrupt(make_sound_record(kind), jump("rotation", 2, turn_deg * DEG, 5.0))
-    with pytest.raises(AlignmentError, match=message):
+    with pytest.raises(HrgError, match=message):
         align(record, POSITION, SIMPLE)
 
 
 def test_a_small_turn_that_only_the_gyros_feel_is_a_jump() -> None:
     record = corrupt(make_sound_record("still"), jump("rotation", 2, 1 * DEG, 5.0))
-    with pytest.raises(
-        AlignmentError, match=r"at 15\d.0 s: displacement jumps by \d+.* at most 12"
-    ):
+    with pytest.raises(HrgError, match=r"at 15\d.0 s: displacement jumps by \d+.* at most 12"):
         align(record, POSITION, SIMPLE)
 
 
@@ -140,5 +138,5 @@ def test_quiet_spells_of_coarse_counts_are_chance() -> None:
 
 
 def test_far_too_small_errors_are_refused() -> None:
-    with pytest.raises(AlignmentError, match=r"drifts over 10 .*errors are stated far too small"):
+    with pytest.raises(HrgError, match=r"drifts over 10 .*errors are stated far too small"):
         align(make_sound_record("still"), POSITION, SensorErrors())

@@ -10,7 +10,7 @@ from scipy.stats import chi2
 
 from ins_eval.alignment.align import align
 from ins_eval.alignment.alignment_figure import plot_alignment
-from ins_eval.alignment.analytic import AlignmentError, level_and_gyrocompass
+from ins_eval.alignment.analytic import level_and_gyrocompass
 from ins_eval.alignment.inertial_frame import fit_inertial_frame
 from ins_eval.alignment.measured_noise import MeasuredNoise, measure_noise
 from ins_eval.common.rotation import euler_from_mat
@@ -19,6 +19,7 @@ from ins_eval.common.state import State
 from ins_eval.imu import recorded
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
 from pyhrg.records.imu.increments import Increments
 from pyhrg.records.imu.log import RecordedImu
@@ -118,7 +119,7 @@ def test_a_spoiled_span_is_refused(log: RecordedImu, noise: MeasuredNoise) -> No
         (step, 1, "displacement (drifts|jumps)"),
     ]
     for rotation, sign, message in spoiled:
-        with pytest.raises(AlignmentError, match=message):
+        with pytest.raises(HrgError, match=message):
             align(replace(record, rotation=rotation), log.position * [sign, 1, 1], noise.errors)
 
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from ins_eval.alignment.align import align
-from ins_eval.alignment.result import AlignmentError
 from ins_eval.alignment.shown_latitude import check_latitude
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.specification import load_imu
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.imu.increments import Increments
 from tests.ins_eval.alignment.cases import (
@@ -38,7 +38,7 @@ def test_a_wrong_sign_of_the_latitude_is_refused(kind: str) -> None:
     message = (
         r"latitude (39|4[01])\.\d+ deg: expected the stated -40.00 deg.*: latitude's sign, or gyro"
     )
-    with pytest.raises(AlignmentError, match=message):
+    with pytest.raises(HrgError, match=message):
         align(standing(kind), POSITION * [-1, 1, 1], SIMPLE)
 
 
@@ -46,14 +46,14 @@ def test_a_wrong_sign_of_the_latitude_is_refused(kind: str) -> None:
 def test_reversed_gyros_are_refused(kind: str) -> None:
     record = standing(kind)
     message = r"latitude -(39|4[01])\.\d+ deg: expected the stated 40.00 deg.*gyros reversed\?"
-    with pytest.raises(AlignmentError, match=message):
+    with pytest.raises(HrgError, match=message):
         align(replace(record, rotation=-record.rotation), POSITION, SIMPLE)
 
 
 def test_reversed_gyros_of_a_swaying_vehicle_contradict_its_accelerometers() -> None:
     ideal, _ = make_swaying_record(300.0, 0.1, np.random.default_rng(5))
     record = replace(ideal, rotation=-ideal.rotation)
-    with pytest.raises(AlignmentError, match="drifts over 10 steps"):
+    with pytest.raises(HrgError, match="drifts over 10 steps"):
         align(record, POSITION, SIMPLE)
 
 
@@ -61,7 +61,7 @@ def test_reversed_gyros_of_a_swaying_vehicle_contradict_its_accelerometers() -> 
 def test_some_degrees_are_let_pass(off_deg: float, refused: bool) -> None:
     stated = LATITUDE + off_deg * DEG
     if refused:
-        with pytest.raises(AlignmentError, match=": latitude, or gyros"):
+        with pytest.raises(HrgError, match=": latitude, or gyros"):
             check_latitude(make_still_record(300.0, 0.1), stated, SIMPLE)
     else:
         check_latitude(make_still_record(300.0, 0.1), stated, SIMPLE)
@@ -73,7 +73,7 @@ def test_what_gyros_may_be_wrong_by_is_let_pass() -> None:
     up = record.velocity[0] / np.linalg.norm(record.velocity[0])
     biased = replace(record, rotation=record.rotation - 2 * DEG_PER_H * up * 0.1)
     check_latitude(biased, LATITUDE, SensorErrors(gyro_bias=1 * DEG_PER_H))
-    with pytest.raises(AlignmentError, match="show latitude 30"):
+    with pytest.raises(HrgError, match="show latitude 30"):
         check_latitude(biased, LATITUDE, SensorErrors(gyro_bias=0.01 * DEG_PER_H))
 
 

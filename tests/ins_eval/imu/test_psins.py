@@ -9,8 +9,8 @@ import pytest
 
 from ins_eval.common import earth
 from ins_eval.imu import recorded
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import ARCSEC, DEG
-from pyhrg.records.columns import LogError
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 
@@ -63,7 +63,7 @@ def test_yaw_is_turned_into_heading(tmp_path: Path) -> None:
     ],
 )
 def test_a_wrong_row_is_named(tmp_path: Path, wrong: str, message: str) -> None:
-    with pytest.raises(LogError, match=message):
+    with pytest.raises(HrgError, match=message):
         recorded.read_record(write(tmp_path, HEADER + ROWS + wrong))
 
 
@@ -77,7 +77,7 @@ def test_a_wrong_row_is_named(tmp_path: Path, wrong: str, message: str) -> None:
     ],
 )
 def test_a_wrong_header_is_named(tmp_path: Path, old: str, new: str, message: str) -> None:
-    with pytest.raises(LogError, match=message):
+    with pytest.raises(HrgError, match=message):
         recorded.read_record(write(tmp_path, HEADER.replace(old, new) + ROWS))
 
 
@@ -86,17 +86,17 @@ def test_a_z_axis_that_points_down_is_named(tmp_path: Path) -> None:
     header = HEADER.replace("300.0", "1.0")
     recorded.read_record(write(tmp_path, header + "0 0 0 0 0 10000\n" * 20))
     path = write(tmp_path, header + "0 0 0 0 0 -10000\n" * 20)
-    with pytest.raises(LogError, match=r"column a_x .*is z down where up is meant"):
+    with pytest.raises(HrgError, match=r"column a_x .*is z down where up is meant"):
         recorded.read_record(path)
     assert recorded.read_record(path, trusted=True).increments.velocity[0, 2] > 0
 
 
 def test_too_few_rows_and_a_cut_file_are_named(tmp_path: Path) -> None:
-    with pytest.raises(LogError, match="found 1 rows of values, expected at least 10"):
+    with pytest.raises(HrgError, match="found 1 rows of values, expected at least 10"):
         recorded.read_record(write(tmp_path, HEADER + "1 2 3 4 5 6\n"))
     cut = tmp_path / "cut.imu.gz"
     cut.write_bytes(gzip.compress((HEADER + ROWS).encode())[:-20])
-    with pytest.raises(LogError, match=r"cut\.imu\.gz: found what is no whole gzipped data"):
+    with pytest.raises(HrgError, match=r"cut\.imu\.gz: found what is no whole gzipped data"):
         recorded.read_record(cut)
 
 

@@ -9,8 +9,8 @@ from ins_eval.imu import specification
 from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.sensor_error_model import TYPICAL_ACCELEROMETERS
-from ins_eval.imu.specification import SpecificationError
 from ins_eval.imu.stated_gyros import StatedGyros
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, MICRO_G, PPM
 from pyhrg.device.ready_devices import TYPICAL
 
@@ -119,10 +119,10 @@ def test_ready_units_are_there() -> None:
     ],
 )
 def test_what_is_wrong_is_named(tmp_path: Path, text: str, message: str) -> None:
-    with pytest.raises(SpecificationError, match=message):
+    with pytest.raises(HrgError, match=message):
         read(tmp_path, text)
 
 
 def test_a_name_that_is_neither_is_refused() -> None:
-    with pytest.raises(SpecificationError, match="best: found no such file, expected one or ideal"):
+    with pytest.raises(HrgError, match="best: found no such file, expected one or ideal"):
         specification.load_imu("best")

@@ -7,7 +7,7 @@ import pandas as pd
 import pytest
 
 from ins_eval.imu import recorded
-from pyhrg.records.columns import LogError
+from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.columns import ACCELEROMETERS, GYROS, Quantity
 from pyhrg.records.imu.increments import Increments
 from tests.ins_eval.imu.logs import INCREMENTS, frame, resting, saved
@@ -85,7 +85,7 @@ TABLE = frame(resting())
 def test_what_is_wrong_is_named(tmp_path: Path, table: pd.DataFrame, message: str) -> None:
     path = tmp_path / "log.csv"
     path.write_text(table.to_csv(index=False).replace('"', ""))
-    with pytest.raises(LogError, match=message):
+    with pytest.raises(HrgError, match=message):
         recorded.read_record(path)
 
 
@@ -102,7 +102,7 @@ def test_what_is_wrong_is_named(tmp_path: Path, table: pd.DataFrame, message: st
 def test_a_file_that_is_none_is_refused(tmp_path: Path, data: bytes, message: str) -> None:
     path = tmp_path / "log"
     path.write_bytes(data)
-    with pytest.raises(LogError, match=message):
+    with pytest.raises(HrgError, match=message):
         recorded.read_record(path)
 
 
@@ -111,13 +111,13 @@ def test_a_parquet_file_is_held_to_the_same(tmp_path: Path) -> None:
     table = TABLE.copy()
     table.loc[7, GYRO_Y] = np.nan
     table.to_parquet(path)
-    with pytest.raises(LogError, match="row 8, gyro_y_rad_s: found nan, expected a finite number"):
+    with pytest.raises(HrgError, match="row 8, gyro_y_rad_s: found nan, expected a finite number"):
         recorded.read_record(path)
     with_cell(7, GYRO_Y, "x").astype({GYRO_Y: str}).to_parquet(path)
-    with pytest.raises(LogError, match=r"column gyro_y_rad_s: found .*, expected numbers"):
+    with pytest.raises(HrgError, match=r"column gyro_y_rad_s: found .*, expected numbers"):
         recorded.read_record(path)
 
 
 def test_a_missing_file_is_named(tmp_path: Path) -> None:
-    with pytest.raises(LogError, match=r"none\.csv: can't be read: No such file"):
+    with pytest.raises(HrgError, match=r"none\.csv: can't be read: No such file"):
         recorded.read_record(tmp_path / "none.csv")

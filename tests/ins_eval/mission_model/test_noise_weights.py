@@ -18,6 +18,7 @@ from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.noise.coefficients import COEFFICIENT_NAMES
+from tests.driving import drive
 
 Array = NDArray[np.float64]
 STEP, BEFORE, STEPS = 0.5, 3, 12
@@ -87,7 +88,7 @@ def test_noise_is_the_fmus(slow_fmu: GyroFmu) -> None:
     ends = []
     for seed in range(runs):
         with slow_fmu.power_on(device.fmu_parameters(), seed, 0.3) as gyro:
-            angles = gyro.drive(np.zeros(steps + before), 1.0)
+            angles = drive(gyro, np.zeros(steps + before), 1.0)
         ends.append(angles[-1] - angles[before - 1])
     transition = np.tile(np.eye(2), (steps, 1, 1))
     per_rate = np.zeros((steps, 2, 3))

@@ -6,7 +6,7 @@ import pytest
 from ins_eval.common.state import State, position_error
 from ins_eval.navigation.coefficients import SAMPLES_PER_STEP
 from ins_eval.navigation.height import Clamped
-from ins_eval.navigation.strapdown import NavigationError, navigate
+from ins_eval.navigation.strapdown import navigate
 from ins_eval.parking.mission import Mission, sample_mission
 from ins_eval.trajectories.catalogue import load_trajectory
 from pyhrg.common.errors import HrgError
@@ -49,7 +49,7 @@ def test_published_up_gyro_bias() -> None:
 def test_intervals_must_fill_steps(samples: int) -> None:
     record = at_rest(0.5, 0.0, 0.05, np.zeros(3))
     start = State(0.5, 0.0, 0.0, np.zeros(3), np.eye(3))
-    with pytest.raises(NavigationError, match=f"5 increments.*multiples of samples, {samples}"):
+    with pytest.raises(HrgError, match=f"5 increments.*multiples of samples, {samples}"):
         navigate(start, record, Clamped(np.zeros(6)), samples, samples)
 
 

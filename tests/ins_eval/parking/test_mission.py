@@ -7,7 +7,8 @@ import pytest
 
 from ins_eval.common import earth
 from ins_eval.mission_model.missions import STILL
-from ins_eval.parking.mission import INTERVAL, Mission, StartUpError, find_ready_time
+from ins_eval.parking.mission import INTERVAL, Mission, find_ready_time
+from pyhrg.common.errors import HrgError
 from tests.ins_eval.cases import short_mission
 
 START_UP = 12.0
@@ -47,5 +48,5 @@ def test_start_up_ends_with_the_last_interval_that_is_not_good() -> None:
     good[[3, 1199, 35_000]] = False
     assert find_ready_time(good) == pytest.approx(12.0 - STILL)
     good[29_999] = False
-    with pytest.raises(StartUpError, match="not ready 300 s after power-on"):
+    with pytest.raises(HrgError, match="not ready 300 s after power-on"):
         find_ready_time(good)

@@ -8,7 +8,7 @@ import pytest
 from ins_eval.study import study_file
 from ins_eval.study.experiment import DEFAULT_SETTINGS, make_distribution
 from ins_eval.study.settings import SETTING_TABLES
-from pyhrg.common.toml_table import SpecificationError
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG_PER_H, HOUR, MICRO_G
 from tests.ins_eval.study import cases
 
@@ -66,7 +66,7 @@ def test_tables_reach_what_triads_are_drawn_from(tmp_path: Path) -> None:
     ],
 )
 def test_what_is_wrong_is_named(tmp_path: Path, text: str, message: str) -> None:
-    with pytest.raises(SpecificationError) as raised:
+    with pytest.raises(HrgError) as raised:
         study_file.read_study(with_table(tmp_path, text))
     assert message in str(raised.value)
 

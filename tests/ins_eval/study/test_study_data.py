@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from ins_eval.study.study_data import StudyDataError, check_study_data, read_study_data
+from ins_eval.study.study_data import check_study_data, read_study_data
 from ins_eval.study.tables import columns as c
+from pyhrg.common.errors import HrgError
 from tests.ins_eval.study.report.synthetic import synthetic
 
 
@@ -29,26 +30,26 @@ def test_a_folder_gives_back_what_was_written(tmp_path: Path) -> None:
 
 
 def test_a_folder_without_results_is_named(tmp_path: Path) -> None:
-    with pytest.raises(StudyDataError, match=r"study\.parquet: can't be read: No such file"):
+    with pytest.raises(HrgError, match=r"study\.parquet: can't be read: No such file"):
         read_study_data(tmp_path)
 
 
 def test_a_missing_column_is_named() -> None:
     made = synthetic(4)
     table = made.table.drop(columns=[c.FLOWN_EAST])
-    with pytest.raises(StudyDataError, match="found no column flown_east_m, expected it"):
+    with pytest.raises(HrgError, match="found no column flown_east_m, expected it"):
         check_study_data(table, {"scores": []})
 
 
 def test_a_column_of_another_kind_is_named() -> None:
     made = synthetic(4)
     table = made.table.assign(**{c.HOURS: "two"})
-    with pytest.raises(StudyDataError, match=r"column hours: found .*, expected number"):
+    with pytest.raises(HrgError, match=r"column hours: found .*, expected number"):
         check_study_data(table, {"scores": []})
 
 
 def test_no_rows_are_refused() -> None:
-    with pytest.raises(StudyDataError, match="found no rows"):
+    with pytest.raises(HrgError, match="found no rows"):
         check_study_data(synthetic(4).table.iloc[:0], {"scores": []})
 
 
@@ -63,7 +64,7 @@ def test_no_rows_are_refused() -> None:
     ],
 )
 def test_scores_that_are_none_are_named(document: Any, message: str) -> None:
-    with pytest.raises(StudyDataError, match=message):
+    with pytest.raises(HrgError, match=message):
         check_study_data(synthetic(4).table, document)
 
 
@@ -71,23 +72,21 @@ def test_scores_that_are_none_are_named(document: Any, message: str) -> None:
 def test_level_of_intervals_that_is_none_is_named(level: Any) -> None:
     document = {"scores": []} if level is None else {"scores": [], "interval_percent": level}
     message = f"study.json: interval_percent: found {level!r}, expected a number between 0 and 100"
-    with pytest.raises(StudyDataError, match=f"^{message}$"):
+    with pytest.raises(HrgError, match=f"^{message}$"):
         check_study_data(synthetic(4).table, document)
 
 
 def test_an_unknown_score_is_named() -> None:
     made = synthetic(4)
     entry = asdict(made.scores[0]) | {"score": "beauty"}
-    with pytest.raises(
-        StudyDataError, match=r"scores\[0\]: found score beauty, expected one of r2"
-    ):
+    with pytest.raises(HrgError, match=r"scores\[0\]: found score beauty, expected one of r2"):
         check_study_data(made.table, {"scores": [entry]})
 
 
 def test_an_unknown_predictor_is_named() -> None:
     made = synthetic(4)
     entry = asdict(made.scores[0]) | {"predictor": "tea_leaves"}
-    with pytest.raises(StudyDataError, match=r"scores\[0\]: found predictor tea_leaves, expected"):
+    with pytest.raises(HrgError, match=r"scores\[0\]: found predictor tea_leaves, expected"):
         check_study_data(made.table, {"scores": [entry]})
 
 
@@ -98,5 +97,5 @@ def test_an_unknown_predictor_is_named() -> None:
 def test_a_field_of_another_type_is_named(field: str, value: object) -> None:
     made = synthetic(4)
     entry = asdict(made.scores[0]) | {field: value}
-    with pytest.raises(StudyDataError, match=rf"scores\[0\]: (found what is no score|{field}:)"):
+    with pytest.raises(HrgError, match=rf"scores\[0\]: (found what is no score|{field}:)"):
         check_study_data(made.table, {"scores": [entry]})

@@ -9,7 +9,7 @@ from ins_eval.study import study_file
 from ins_eval.study.run.identity import identify_study
 from ins_eval.study.specification import TEST, TRAIN, compute_fewest_judged
 from ins_eval.trajectories import catalogue
-from pyhrg.common.toml_table import SpecificationError
+from pyhrg.common.errors import HrgError
 from tests.ins_eval.study import cases
 
 
@@ -115,7 +115,7 @@ def test_ready_study_can_be_flown(name: str) -> None:
 )
 def test_what_is_wrong_is_named(tmp_path: Path, old: str, new: str, message: str) -> None:
     path = cases.study_file(tmp_path, (old, new))
-    with pytest.raises(SpecificationError, match=f"^{re.escape(str(path))}: .*") as raised:
+    with pytest.raises(HrgError, match=f"^{re.escape(str(path))}: .*") as raised:
         study_file.read_study(path)
     assert message in str(raised.value)
 
@@ -124,14 +124,12 @@ def test_what_is_wrong_is_named(tmp_path: Path, old: str, new: str, message: str
 def test_study_without_missions_is_refused(tmp_path: Path, missions: str) -> None:
     path = tmp_path / "study.toml"
     path.write_text(f"seed = 1\ntriads = 80\ntraining = 40\n{missions}\n")
-    with pytest.raises(SpecificationError, match=r"missions: found .*, expected tables"):
+    with pytest.raises(HrgError, match=r"missions: found .*, expected tables"):
         study_file.read_study(path)
 
 
 def test_neither_name_nor_file_is_refused() -> None:
-    with pytest.raises(
-        SpecificationError, match="huge: found no such file, expected one or narrow, one"
-    ):
+    with pytest.raises(HrgError, match="huge: found no such file, expected one or narrow, one"):
         study_file.load_study("huge")
 
 

@@ -12,7 +12,8 @@ from ins_eval.trajectories.manoeuvres.straights import Straight
 from ins_eval.trajectories.manoeuvres.turns import CoordinatedTurn, UTurn
 from ins_eval.trajectories.manoeuvres.vocabulary import MANOEUVRES, OVERLAYS
 from ins_eval.trajectories.mission import Deflection, Start
-from ins_eval.trajectories.mission_file import MissionError, read_mission
+from ins_eval.trajectories.mission_file import read_mission
+from pyhrg.common.errors import HrgError
 
 DOCUMENT = Path(__file__).parents[3] / "docs" / "missions.md"
 
@@ -97,7 +98,7 @@ def test_course_is_flown_once_by_default(tmp_path: Path) -> None:
 def test_mistake_is_named(tmp_path: Path, old: str, new: str, message: str) -> None:
     assert old in RIGHT
     path = write_mission(tmp_path, RIGHT.replace(old, new, 1))
-    with pytest.raises(MissionError, match=message) as caught:
+    with pytest.raises(HrgError, match=message) as caught:
         read_mission(path)
     assert str(caught.value).startswith(str(path))
     assert "\n" not in str(caught.value)
@@ -105,15 +106,15 @@ def test_mistake_is_named(tmp_path: Path, old: str, new: str, message: str) -> N
 
 def test_course_must_hold_something(tmp_path: Path) -> None:
     path = write_mission(tmp_path, "start = { latitude_deg = 1, longitude_deg = 1 }\n")
-    with pytest.raises(MissionError, match=r"course: found \[\], expected at least one manoeuvre"):
+    with pytest.raises(HrgError, match=r"course: found \[\], expected at least one manoeuvre"):
         read_mission(path)
 
 
 def test_missing_and_binary_files(tmp_path: Path) -> None:
-    with pytest.raises(MissionError, match="can't be read: No such file"):
+    with pytest.raises(HrgError, match="can't be read: No such file"):
         read_mission(tmp_path / "nowhere.toml")
     (tmp_path / "binary.toml").write_bytes(b"\xff\xfe\x00")
-    with pytest.raises(MissionError, match="found what is no text in utf-8"):
+    with pytest.raises(HrgError, match="found what is no text in utf-8"):
         read_mission(tmp_path / "binary.toml")
 
 

@@ -12,14 +12,9 @@ from scipy.integrate import cumulative_trapezoid
 from ins_eval.common import earth
 from ins_eval.common.state import position_error
 from ins_eval.trajectories.errors import TrajectoryError
-from ins_eval.trajectories.recorded_drive import (
-    COLUMNS,
-    Drive,
-    DriveError,
-    read_drive,
-    repeat_drive,
-)
+from ins_eval.trajectories.recorded_drive import COLUMNS, Drive, read_drive, repeat_drive
 from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.common.errors import HrgError
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 Rows = list[list[str]]
@@ -194,7 +189,7 @@ def gap(rows: Rows) -> Rows:
 )
 def test_mistake_is_named(tmp_path: Path, mistake: Callable[[Rows], Rows], message: str) -> None:
     path = write_drive(tmp_path, mistake(make_drive()))
-    with pytest.raises(DriveError, match=message) as caught:
+    with pytest.raises(HrgError, match=message) as caught:
         read_drive(path)
     assert str(caught.value).startswith(str(path))
     assert "\n" not in str(caught.value)
@@ -207,17 +202,17 @@ def test_byte_order_mark_is_no_column(tmp_path: Path) -> None:
 
 
 def test_missing_and_broken_files(tmp_path: Path) -> None:
-    with pytest.raises(DriveError, match="No such file"):
+    with pytest.raises(HrgError, match="No such file"):
         read_drive(tmp_path / "nowhere.csv")
     (tmp_path / "broken.gz").write_bytes(b"\x1f\x8bnonsense")
-    with pytest.raises(DriveError, match="no whole gzipped data"):
+    with pytest.raises(HrgError, match="no whole gzipped data"):
         read_drive(tmp_path / "broken.gz")
 
 
 def test_drive_that_would_pass_the_pole_is_refused(tmp_path: Path) -> None:
     """North at 10 m/s from 45 deg: 150 h would end beyond 89 deg."""
     drive = read_drive(write_drive(tmp_path, make_drive()))
-    with pytest.raises(DriveError, match="leaves latitudes -89 to 89"):
+    with pytest.raises(HrgError, match="leaves latitudes -89 to 89"):
         repeat_drive(drive, 150 * 3600.0, 320.0)
 
 

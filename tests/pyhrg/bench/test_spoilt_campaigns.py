@@ -14,9 +14,9 @@ import pytest
 from pyhrg.bench.bias.position import fixed_position, full_circumference
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.procedure import Procedure
+from pyhrg.common.errors import HrgError
 from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.records import LogError
 from pyhrg.records import campaign as campaigns
 from tests.pyhrg.bench.cases import QUICK_PLAN, slow_bench
 
@@ -157,7 +157,7 @@ def test_what_can_not_be_used_is_refused_by_name(
     intact: Path, tmp_path: Path, procedure: Procedure, spoil: Spoil, message: str
 ) -> None:
     folder = spoil_log(intact, tmp_path, procedure, spoil)
-    with pytest.raises((BenchError, LogError), match=message) as raised:
+    with pytest.raises(HrgError, match=message) as raised:
         evaluate(procedure, folder)
     assert SPOILT[procedure.name] in str(raised.value)
 
@@ -168,7 +168,7 @@ def test_truncated_file_is_refused(intact: Path, tmp_path: Path, procedure: Proc
     shutil.copytree(intact, folder)
     path = folder / f"{SPOILT[procedure.name]}.csv.gz"
     path.write_bytes(path.read_bytes()[:-1000])
-    with pytest.raises(LogError, match=rf"{path.name}: found what is no whole gzipped data"):
+    with pytest.raises(HrgError, match=rf"{path.name}: found what is no whole gzipped data"):
         evaluate(procedure, folder)
 
 

@@ -15,10 +15,11 @@ from pyhrg.fmu import GyroFmu
 from tests.pyhrg.common.test_compiled import CALL, read_output, start_process
 
 TURN = """
+import numpy as np
 from fmu_build.bundle import build_fmu
 from pyhrg.fmu import GyroFmu
 with GyroFmu(build_fmu()).power_on({}, seed=1, start_angle=0.0) as gyro:
-    print(gyro.advance(1.0, 0.1))
+    print(gyro.record({"angularRate": np.ones((1, 1))}, {}, 0.1, ["gyroAngle"])[0].item())
 """
 
 

@@ -15,22 +15,16 @@ from pyhrg.common.errors import LONGEST_MESSAGE, HrgError, fold_line, quote
 from pyhrg.common.reading import archives, csv_rows, documents, files, limits, parquet
 
 
-class OwnError(HrgError):
-    """The error of a format."""
-
-
 def read_csv(path: Path) -> object:
-    return list(
-        csv_rows.parse_csv(path, files.decode(path, path.read_bytes()), error_class=OwnError)
-    )
+    return list(csv_rows.parse_csv(path, files.decode(path, path.read_bytes())))
 
 
 def read_xml(path: Path) -> object:
-    return documents.parse_xml(path, path.read_bytes(), OwnError)
+    return documents.parse_xml(path, path.read_bytes())
 
 
 def read_archive(path: Path) -> object:
-    with archives.open_archive(path, OwnError) as archive:
+    with archives.open_archive(path) as archive:
         return [archive.read(entry) for entry in archive.entries]
 
 
@@ -80,9 +74,8 @@ def test_what_cannot_be_read_is_refused(
 ) -> None:
     path = tmp_path / "file"
     path.write_bytes(data)
-    own = read in (read_csv, read_xml, read_archive)
-    with pytest.raises(OwnError, match=message) as caught:
-        read(path) if own else read(path, OwnError)
+    with pytest.raises(HrgError, match=message) as caught:
+        read(path)
     assert "file: " in str(caught.value) or f"in {path}" in str(caught.value)
     assert "\n" not in str(caught.value)
     assert len(str(caught.value)) <= LONGEST_MESSAGE
@@ -90,14 +83,14 @@ def test_what_cannot_be_read_is_refused(
 
 @pytest.mark.parametrize("encoding", ["bz2", "rot13", "undefined", "a\0b", "nonsense"])
 def test_an_encoding_that_is_none_is_refused(encoding: str) -> None:
-    with pytest.raises(OwnError, match="found what is no text in"):
-        files.decode("file", b"a", encoding, OwnError)
+    with pytest.raises(HrgError, match="found what is no text in"):
+        files.decode("file", b"a", encoding)
 
 
 @pytest.mark.parametrize("name", ["n" * 5000, "a\0b", "nowhere", "/dev/zero", "/dev/full", "."])
 def test_a_path_that_is_no_file_is_refused(name: str, tmp_path: Path) -> None:
-    with pytest.raises(OwnError) as caught:
-        files.read_bytes(tmp_path / name, 1000, OwnError)
+    with pytest.raises(HrgError) as caught:
+        files.read_bytes(tmp_path / name, 1000)
     assert len(str(caught.value)) <= LONGEST_MESSAGE
 
 
@@ -168,7 +161,7 @@ def test_archives_have_a_limited_number_of_entries(
         for name in "abc":
             archive.writestr(name, "")
     monkeypatch.setattr(archives, "ARCHIVE_ENTRIES", 2)
-    with pytest.raises(OwnError, match="found 3 files, expected at most 2"):
+    with pytest.raises(HrgError, match="found 3 files, expected at most 2"):
         read_archive(path)
 
 

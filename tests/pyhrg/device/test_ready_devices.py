@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.device import device_file
-from pyhrg.device.device_file import DeviceError
 from pyhrg.device.ready_devices import TYPICAL, load_device
 from pyhrg.theory import closed_forms as theory
 
@@ -66,5 +66,5 @@ def test_a_device_is_loaded_by_name_or_file(tmp_path: Path) -> None:
     assert load_device("typical") == TYPICAL
     device_file.write(TYPICAL, tmp_path / "mine.toml")
     assert load_device(tmp_path / "mine.toml") == TYPICAL
-    with pytest.raises(DeviceError, match="nothing: found no such file, expected one or table2"):
+    with pytest.raises(HrgError, match="nothing: found no such file, expected one or table2"):
         load_device("nothing")

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 from fmu_build.bundle import build_fmu
+from pyhrg.common.arrays import Array
 from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import Gyro, GyroError, GyroFmu, record_together
 from pyhrg.fmu import together as module
 from pyhrg.fmu.lanes import Lanes
-from pyhrg.fmu.rows import Array
 
 FAULTS = (
     {"drive.authority": 2e-4, "resonator.material.dampingAnisotropy": 1e-4},

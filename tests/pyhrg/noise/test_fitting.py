@@ -10,6 +10,7 @@ from pyhrg.fmu import GyroFmu
 from pyhrg.noise.coefficients import NoiseCoefficients, NoiseError
 from pyhrg.noise.fitting import compute_critical_ratio, estimate_noise, fit_coefficients
 from pyhrg.noise.likelihood import compute_misfit, compute_spectrum
+from tests.driving import drive
 from tests.pyhrg.noises import Mixture, noisy_angle
 
 NAMES = list(NoiseCoefficients.__dataclass_fields__)
@@ -147,7 +148,7 @@ def test_the_gyros_own_noise_is_found() -> None:
         "samplePeriod": 1.0,
     }
     with GyroFmu(build_fmu("HRGSlow")).power_on(parameters, 1, 0.3) as gyro:
-        found = estimate_noise(gyro.drive(np.zeros(20_000), 1.0), 1.0)
+        found = estimate_noise(drive(gyro, np.zeros(20_000), 1.0), 1.0)
     expected = (reading, angle_walk, flicker)
     for name, value in zip(NAMES, expected, strict=False):
         c = getattr(found, name)

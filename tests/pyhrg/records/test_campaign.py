@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from pyhrg.common.errors import HrgError
 from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
-from pyhrg.records import LogError, campaign
-from pyhrg.records.campaign import Campaign, CampaignError, Test
+from pyhrg.records import campaign
+from pyhrg.records.campaign import Campaign, Test
 from tests.pyhrg.records.made_up import LATITUDE, made_up_log
 
 
@@ -69,7 +70,7 @@ def test_logs_are_read_when_asked_for(folder: Path) -> None:
     still, missing, _ = campaign.read_campaign(folder).tests
     assert len(still.log.time) == 60
     assert still.log is still.log
-    with pytest.raises(LogError, match=r"rate_pos\.csv\.gz: can't be read: No such file"):
+    with pytest.raises(HrgError, match=r"rate_pos\.csv\.gz: can't be read: No such file"):
         _ = missing.log
 
 
@@ -81,7 +82,7 @@ def test_number_of_rows_is_held_to_the_index(folder: Path) -> None:
 
 def test_interval_is_held_to_the_index(folder: Path) -> None:
     edit(folder, lambda index: index["tests"][0].update(interval_s=0.1))
-    with pytest.raises(LogError, match=r"still\.csv\.gz: time_s steps by 1; expected 0\.1"):
+    with pytest.raises(HrgError, match=r"still\.csv\.gz: time_s steps by 1; expected 0\.1"):
         _ = campaign.read_campaign(folder).tests[0].log
 
 
@@ -121,19 +122,19 @@ def test_wrong_key_is_named(
     folder: Path, change: Callable[[dict[str, Any]], object], message: str
 ) -> None:
     edit(folder, change)
-    with pytest.raises(CampaignError, match=message) as caught:
+    with pytest.raises(HrgError, match=message) as caught:
         campaign.read_campaign(folder)
     assert "campaign.json" in str(caught.value)
 
 
 def test_folder_without_an_index_is_no_campaign(tmp_path: Path) -> None:
-    with pytest.raises(CampaignError, match=r"campaign\.json: can't be read"):
+    with pytest.raises(HrgError, match=r"campaign\.json: can't be read"):
         campaign.read_campaign(tmp_path)
     (tmp_path / "campaign.json").write_text("[1, 2")
-    with pytest.raises(CampaignError, match=r"campaign\.json: found what is no JSON"):
+    with pytest.raises(HrgError, match=r"campaign\.json: found what is no JSON"):
         campaign.read_campaign(tmp_path)
     (tmp_path / "campaign.json").write_text("[1, 2]")
-    with pytest.raises(CampaignError, match="found list, expected a JSON object"):
+    with pytest.raises(HrgError, match="found list, expected a JSON object"):
         campaign.read_campaign(tmp_path)
 
 
@@ -142,7 +143,7 @@ def test_campaign_is_not_written_under_impossible_names(
     tmp_path: Path, names: tuple[str, str]
 ) -> None:
     tests = tuple(Test(name, "static", "fit", made_up_log(12)) for name in names)
-    with pytest.raises(CampaignError, match="expected a file name, each once"):
+    with pytest.raises(HrgError, match="expected a file name, each once"):
         campaign.write_campaign(Campaign("x", Site(LATITUDE, 9.8), {}, tests), tmp_path / "out")
     assert not (tmp_path / "out").exists()
 

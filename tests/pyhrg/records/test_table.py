@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyhrg.records import LogError, read_log, write_log
+from pyhrg.common.errors import HrgError
+from pyhrg.records import read_log, write_log
 from pyhrg.records.table import describe_rows
 from tests.pyhrg.records.made_up import Rows, made_up_log, place, spoilt
 
@@ -39,7 +40,7 @@ def put(row: int, column: str, text: str) -> Callable[[Rows], object]:
 def test_wrong_field_is_named(
     tmp_path: Path, spoil: Callable[[Rows], object], message: str
 ) -> None:
-    with pytest.raises(LogError, match=re.escape(message)) as caught:
+    with pytest.raises(HrgError, match=re.escape(message)) as caught:
         read_log(spoilt(tmp_path, spoil))
     assert "log.csv" in str(caught.value)
 
@@ -48,12 +49,12 @@ def test_unreadable_files_are_named(tmp_path: Path) -> None:
     path = tmp_path / "log.csv.gz"
     write_log(made_up_log(12), path)
     path.write_bytes(path.read_bytes()[:100])
-    with pytest.raises(LogError, match=r"log\.csv\.gz: found what is no whole gzipped data"):
+    with pytest.raises(HrgError, match=r"log\.csv\.gz: found what is no whole gzipped data"):
         read_log(path)
     path.write_bytes(gzip.compress(b"\xff\xfe\x00"))
-    with pytest.raises(LogError, match="found what is no text"):
+    with pytest.raises(HrgError, match="found what is no text"):
         read_log(path)
-    with pytest.raises(LogError, match="No such file"):
+    with pytest.raises(HrgError, match="No such file"):
         read_log(tmp_path / "none.csv")
 
 
@@ -76,16 +77,16 @@ def test_missing_column_is_asked_for_by_name(tmp_path: Path) -> None:
     assert np.isnan(log.gyro_angle).all()
     log.require("wave_angle", "time")
     message = r"log\.csv: column gyro_angle_deg is missing.*found time_s, table_angle_deg"
-    with pytest.raises(LogError, match=message):
+    with pytest.raises(HrgError, match=message):
         log.require("wave_angle", "gyro_angle")
-    with pytest.raises(LogError, match="gyro_angle_deg is missing"):
+    with pytest.raises(HrgError, match="gyro_angle_deg is missing"):
         log.stretches("gyro_angle")
 
 
 def test_column_without_values_is_missing_too(tmp_path: Path) -> None:
     log = read_log(spoilt(tmp_path, lambda rows: [row.__setitem__(GYRO, "") for row in rows[1:]]))
     assert log.exclusions == ("rows 2-13: gyro_angle_deg missing",)
-    with pytest.raises(LogError, match="gyro_angle_deg is missing or has no values"):
+    with pytest.raises(HrgError, match="gyro_angle_deg is missing or has no values"):
         log.require("gyro_angle")
 
 

@@ -7,15 +7,13 @@ from itertools import pairwise
 
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
 
 from ins_eval.study.report.distances import NMI
 from ins_eval.study.report.figures.filters import make_filter_attributes, name_calibration
 from ins_eval.study.report.figures.parts import Row, format_interval, make_legend, make_table
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 RESAMPLES = 1000
 SEED = 0

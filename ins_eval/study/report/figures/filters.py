@@ -21,12 +21,10 @@ def make_filter_attributes(mission_class: str = ALL, calibration: str = ALL) -> 
 
 
 def choose_colour(data: StudyData, mission_class: str) -> str:
-    """CSS class of the colour of a mission class."""
     return f"c{data.classes.index(mission_class) % COLOURS}"
 
 
 def name_calibration(key: str) -> str:
-    """A calibration in words."""
     return CALIBRATIONS.get(key, key)
 
 

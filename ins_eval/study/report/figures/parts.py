@@ -24,7 +24,6 @@ class Panel:
 
     @property
     def markup(self) -> str:
-        """The figure."""
         caption = "<br>".join([f"<b>{html.escape(self.title)}</b>", *self.notes])
         return f"<figure{self.attributes}><figcaption>{caption}</figcaption>{self.body}</figure>"
 
@@ -100,7 +99,6 @@ def make_table(
 
 
 def format_interval(value: float, low: float, high: float) -> str:
-    """Markup of a number with its interval below."""
     middle, *ends = svg.format_estimate(value, low, high)
     return f"<b>{middle}</b><br><small>{' to '.join(ends)}</small>"
 

@@ -78,7 +78,6 @@ class BiasMap:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of the fitted terms."""
         return self.fits[0].names
 
 

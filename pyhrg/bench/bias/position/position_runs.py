@@ -101,13 +101,13 @@ def group_by_position(run: Points) -> list[Array]:
     return [run.rate[run.dwell == number] for number in np.unique(run.dwell)]
 
 
-def estimate_within(name: str, runs: Sequence[Points], note: str = WITHIN) -> Finding:
+def estimate_within(name: str, runs: Sequence[Points]) -> Finding:
     """Standard deviation (n - 1) of a position's data points, pooled over positions and runs; NaN
     where each position has one point."""
     groups = [group for run in runs for group in group_by_position(run)]
     if max(map(len, groups)) < 2:
         return Finding(name, np.nan, "deg/h", note=ONE_POINT)
-    return estimate_pooled_deviation(name, groups, "deg/h", note)
+    return estimate_pooled_deviation(name, groups, "deg/h", WITHIN)
 
 
 def estimate_between(name: str, runs: Sequence[Points], fits: Sequence[Fit]) -> Finding:

@@ -102,7 +102,6 @@ def _summarize_soak(points: Points) -> Soak:
 
 
 def fit_temperature(campaign: Campaign) -> Thermal:
-    """Fit of all thermal tests together."""
     nominal_lag = campaign.nominal.get("thermal_lag_s")
     reference = campaign.nominal.get("reference_temperature_degC", 25.0) + ZERO_CELSIUS
     logs = [test.log for test in require_tests(campaign, KIND)]

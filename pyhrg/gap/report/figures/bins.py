@@ -3,12 +3,10 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.report.figures.views import FULL_TURN, Axis
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

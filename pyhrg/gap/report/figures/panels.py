@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.report.figures.bins import Bins, Means, Residual, compute_edges, sum_in_bins
 from pyhrg.gap.report.figures.strips import Band, Labels, Size, Strip, draw_strips
@@ -20,8 +20,6 @@ from pyhrg.gap.report.figures.views import (
     find_moving_axes,
 )
 from pyhrg.gap.report.places import sum_shares
-
-Array = NDArray[np.float64]
 
 ALL = "all"
 """Stands for all tests together."""

@@ -4,12 +4,8 @@ import html
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
+from pyhrg.common.arrays import Array
 from pyhrg.common.pages.svg import Scale, draw_horizontal_ticks, draw_vertical_ticks
-
-Array = NDArray[np.float64]
 
 LEFT, MARGIN, TOP, GAP, FOOT = 88, 12, 22, 26, 48
 """Space in a drawing, px: left and right of the strips, above the first, between two, below the
@@ -120,7 +116,6 @@ def _draw_strip(strip: Strip, band: Band, across: Scale, up: Scale, stroke: floa
 
 
 def _draw_band(band: Band, across: Scale, up: Scale) -> str:
-    """A rectangle for each bin."""
     sides = across(band.x - band.width / 2), across(band.x + band.width / 2)
     corners = zip(*sides, up(-band.half), up(band.half), strict=True)
     return "".join(f"M{a:.1f} {c:.1f}H{b:.1f}V{d:.1f}H{a:.1f}z" for a, b, c, d in corners)

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import (
     ARCSEC,
     DEG,
@@ -21,8 +21,6 @@ from pyhrg.gap.effects.candidate_terms import compute_coordinates
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
 from pyhrg.gap.whitening.whitening import draw_noise
-
-Array = NDArray[np.float64]
 
 DRAWS = 100
 """Draws of the noise from which its band is computed (chosen)."""

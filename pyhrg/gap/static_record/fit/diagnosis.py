@@ -3,11 +3,11 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.special import polygamma
 from scipy.stats import chi2
 from scipy.stats import f as f_distribution
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.static_record.belief import Belief
 from pyhrg.gap.static_record.fit.evidence import RAMP, Posterior, Problem, build_problem
 from pyhrg.gap.static_record.fit.hypotheses import FALSE_ALARMS, Ranking, rank_explanations
@@ -20,8 +20,6 @@ from pyhrg.gap.static_record.fit.likelihood import (
 from pyhrg.gap.static_record.fit.unknowns import split_octaves, sum_octaves
 from pyhrg.gap.static_record.record import Channel
 from pyhrg.gap.static_record.terms import Kind, Term
-
-Array = NDArray[np.float64]
 
 TEMPERATURE = "temperature"
 EQUIVALENT_LOG_RATIO = 3.0

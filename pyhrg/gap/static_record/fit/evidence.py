@@ -11,11 +11,10 @@ from scipy.linalg import block_diag
 from scipy.optimize import minimize
 from scipy.special import gammaln, logsumexp
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.static_record.belief import Belief
 from pyhrg.gap.static_record.fit.likelihood import Transform, compute_log_likelihoods
 from pyhrg.noise.likelihood import POWERS
-
-Array = NDArray[np.float64]
 
 DECADE = float(np.log(10))
 """Prior standard deviation of the natural logarithm of a level that exceeds the belief (chosen)."""

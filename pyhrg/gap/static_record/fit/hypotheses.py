@@ -11,14 +11,12 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.special import logsumexp
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.static_record.fit.evidence import Posterior, Problem, compute_posterior
 from pyhrg.gap.static_record.fit.likelihood import whiten_coefficients
 from pyhrg.gap.static_record.fit.unknowns import Unknown, assess_unknowns
-
-Array = NDArray[np.float64]
 
 FALSE_ALARMS = 0.02
 """Largest share of records as believed that are called a gap (chosen)."""

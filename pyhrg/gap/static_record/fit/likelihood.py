@@ -8,12 +8,10 @@ whose coefficient has a given variance. So a ramp is tested in the same way as a
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.fft import dct
 
+from pyhrg.common.arrays import Array
 from pyhrg.noise.likelihood import MIN_TREND_SHARE, Bands, divide_into_bands, orthonormalize
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -7,11 +7,10 @@ with its size marginalised. Over white records its Bayes factor to "white" is 1 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.fft import idct
 from scipy.special import gammaln, logsumexp
 
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 PRIOR_SHAPES = np.geomspace(0.5, 2000.0, 13)
 """Shapes of the inverse gamma distributions, mean about 1, that the prior of a variance mixes with

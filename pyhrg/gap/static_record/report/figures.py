@@ -7,15 +7,13 @@ import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.static_record.fit.diagnosis import ChannelDiagnosis
 from pyhrg.gap.static_record.terms import Kind
 from pyhrg.noise.allan import AllanDeviation, estimate_allan_deviation
 from pyhrg.noise.coefficients import Coefficient, NoiseCoefficients, compute_allan_deviation
 from pyhrg.noise.likelihood import compute_spectrum
-
-Array = NDArray[np.float64]
 
 MEASURED, BEFORE, AFTER = "#0072b2", "#555555", "#d55e00"
 

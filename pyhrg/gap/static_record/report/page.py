@@ -6,6 +6,7 @@ from pathlib import Path
 
 import tomli_w
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.files import stage_files
 from pyhrg.common.pages.markup import Table, make_paragraph, make_wide_table
 from pyhrg.common.pages.shell import make_document
@@ -14,7 +15,7 @@ from pyhrg.gap.static_record.belief import PERIODS, TOLERANCE_PERCENT
 from pyhrg.gap.static_record.document import build_document, round_digits
 from pyhrg.gap.static_record.fit.diagnosis import ChannelDiagnosis
 from pyhrg.gap.static_record.report.figures import draw_allan_deviation, draw_spectrum
-from pyhrg.gap.static_record.result import Array, RecordDiagnosis, locate_excess
+from pyhrg.gap.static_record.result import RecordDiagnosis, locate_excess
 
 RESULT, PAGE, CLOSED = "diagnosis.json", "report.html", "closed.toml"
 STYLE = (
@@ -62,7 +63,6 @@ def _state_closed_noise(d: ChannelDiagnosis) -> dict[str, object]:
 
 
 def build_page(result: RecordDiagnosis) -> str:
-    """The page as HTML."""
     title = f"Noise of {result.source}"
     pairs = zip(result.channel_diagnoses, result.shared, strict=True)
     body = [

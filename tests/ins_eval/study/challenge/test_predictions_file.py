@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from ins_eval.study.challenge.predictions_file import PredictionsError, read_predictions
+from ins_eval.study.challenge.predictions_file import read_predictions
+from pyhrg.common.errors import HrgError
 
 FLIGHTS = {(2, "car"), (3, "car"), (2, "ship"), (3, "ship")}
 HEADER = "mission,triad,low_m,median_m,high_m,remark"
@@ -46,11 +47,11 @@ def test_columns_and_rows_in_any_order(tmp_path: Path) -> None:
 )
 def test_bad_rows_are_refused(row: str, message: str, tmp_path: Path) -> None:
     rows = ROWS[:2] + [row] + ROWS[3:] * (row != ROWS[3])
-    with pytest.raises(PredictionsError, match=f"mine.csv: {message}"):
+    with pytest.raises(HrgError, match=f"mine.csv: {message}"):
         read_predictions(write(tmp_path, HEADER, *rows), FLIGHTS)
 
 
 def test_missing_column_is_refused(tmp_path: Path) -> None:
     path = write(tmp_path, "triad,mission,median_m", "2,car,1")
-    with pytest.raises(PredictionsError, match=r"mine.csv: found no column low_m, expected triad,"):
+    with pytest.raises(HrgError, match=r"mine.csv: found no column low_m, expected triad,"):
         read_predictions(path, FLIGHTS)

@@ -12,7 +12,6 @@ from ins_eval.mission_model.triad_block import TriadBlock
 from ins_eval.mission_model.turned_maps import start_maps
 from ins_eval.study.gyros.bench_plan import WARM_RISE
 from ins_eval.study.predictors import prediction_columns
-from ins_eval.study.predictors.class_constants import ConstantRule
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G
 from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
@@ -100,9 +99,8 @@ def triads(seed: int, count: int, spread: Array = SPREAD, fit: Array = FIT) -> T
     )
 
 
-def rules(training: TriadBlock, weights: MissionWeights) -> dict[str, ConstantRule]:
+def class_ratios(training: TriadBlock, weights: MissionWeights) -> dict[str, Array]:
     """Of a class that is this mission."""
     model = prediction_columns.train(training, *SHEETS)
     end = prediction_columns.select_time(weights, -1)
-    ratios = prediction_columns.compute_class_ratios(end, training, model, seed=1)
-    return {key: ConstantRule(each) for key, each in ratios.items()}
+    return prediction_columns.compute_class_ratios(end, training, model, seed=1)

@@ -19,7 +19,7 @@ WEIGHTS = cases.mission(seed=5)
 TRIADS = cases.triads(seed=2, count=COUNT)
 TRAINING = cases.triads(seed=1, count=1000)
 LEARNT = block.train(TRAINING, *cases.SHEETS)
-RULES = cases.rules(cases.triads(seed=1, count=50), WEIGHTS)
+RULES = cases.class_ratios(cases.triads(seed=1, count=50), WEIGHTS)
 PREDICTED = block.predict_all(WEIGHTS, TRIADS, LEARNT, RULES, seed=3)
 
 

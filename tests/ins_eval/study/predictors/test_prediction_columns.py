@@ -20,7 +20,7 @@ def test_one_time_is_that_of_all(k: int) -> None:
     weights = cases.mission(seed=1, times=3)
     one = block.select_time(weights, k)
     assert one.time == weights.time[[k]]
-    rules = cases.rules(TRAINING, weights)
+    rules = cases.class_ratios(TRAINING, weights)
     every = block.predict_all(weights, TRIADS, LEARNT, rules, seed=1)
     alone = block.predict_all(one, TRIADS, LEARNT, rules, seed=1)
     assert set(every) == {p.key for p in columns.PREDICTORS}
@@ -36,7 +36,7 @@ def test_no_such_time() -> None:
 
 def test_columns_are_those_of_the_table() -> None:
     weights = cases.mission(seed=1)
-    rules = cases.rules(TRAINING, weights)
+    rules = cases.class_ratios(TRAINING, weights)
     predicted = block.predict_all(weights, TRIADS, LEARNT, rules, seed=1)
     table = {
         **block.tabulate_predictions(predicted, 0.9),
@@ -51,7 +51,7 @@ def test_columns_are_those_of_the_table() -> None:
 def test_intervals_are_of_the_level_asked() -> None:
     """Half of what is drawn inside 50 %, as much outside on either side."""
     weights = cases.mission(seed=1)
-    rules = cases.rules(TRAINING, weights)
+    rules = cases.class_ratios(TRAINING, weights)
     predicted = block.predict_all(weights, TRIADS, LEARNT, rules, seed=1)
     wide, narrow = (block.tabulate_predictions(predicted, inside) for inside in (0.9, 0.5))
     for p in columns.PREDICTORS:

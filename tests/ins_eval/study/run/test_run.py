@@ -14,13 +14,13 @@ from distributed import LocalCluster
 
 from ins_eval.study.run import block, workers
 from ins_eval.study.run.block import Arrays, BlockWork
-from ins_eval.study.run.errors import StudyRunError
 from ins_eval.study.run.folder import StudyFolder
 from ins_eval.study.run.identity import Identity, identify_study
 from ins_eval.study.run.run import Cluster, run_experiment
 from ins_eval.study.run.workers import DASHBOARD_ADDRESS
 from ins_eval.study.specification import Study
 from pyhrg.common.caches.files import read_cached
+from pyhrg.common.errors import HrgError
 from pyhrg.common.made_by import find_difference
 from tests.ins_eval.study import cases
 from tests.ins_eval.study.run.cheap import CHEAP, conclude, made
@@ -132,14 +132,14 @@ def test_leftovers_of_a_killed_command_are_removed(complete: Path) -> None:
     (complete / "draws.json").unlink()
     (complete / "blocks").mkdir()
     (complete / "blocks" / ".000001.npz.x").write_text("half")
-    with pytest.raises(StudyRunError, match="found no address"):
+    with pytest.raises(HrgError, match="found no address"):
         run_experiment(STUDY, complete, CHEAP, Cluster("tcp:1"))
     assert not (complete / ".partial-x").exists()
 
 
 def refused(out: Path, study: Study, message: str) -> None:
     before = contents(out)
-    with pytest.raises(StudyRunError, match=re.escape(f"{out}{message}")):
+    with pytest.raises(HrgError, match=re.escape(f"{out}{message}")):
         run_experiment(study, out, CHEAP, NOWHERE)
     assert contents(out) == before
 
@@ -196,12 +196,12 @@ def test_one_command_at_a_time(complete: Path) -> None:
 
 def test_absent_scheduler_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(workers, "ARRIVAL_TIMEOUT", 0.2)
-    with pytest.raises(StudyRunError, match="1: found no scheduler, expected one"):
+    with pytest.raises(HrgError, match="1: found no scheduler, expected one"):
         run_experiment(STUDY, tmp_path, CHEAP, NOWHERE)
 
 
 def test_address_that_is_none_is_told(tmp_path: Path) -> None:
-    with pytest.raises(StudyRunError, match="here: found no address, expected tcp://HOST:PORT"):
+    with pytest.raises(HrgError, match="here: found no address, expected tcp://HOST:PORT"):
         run_experiment(STUDY, tmp_path, CHEAP, Cluster("here"))
 
 
@@ -209,7 +209,7 @@ def test_worker_of_another_version_refuses() -> None:
     own = identify_study(STUDY)
     other = Identity(own.study, {**own.made_by, "code": "0"})
     message = f"a worker of another version: code: found {own.made_by['code']}, expected 0"
-    with pytest.raises(StudyRunError, match=message):
+    with pytest.raises(HrgError, match=message):
         BlockWork(STUDY, other, made)(0)
 
 

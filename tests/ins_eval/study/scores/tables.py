@@ -24,7 +24,7 @@ def table(count: int, spread: float = 1.0, seed: int = 2) -> pd.DataFrame:
             weights = cases.mission(number)
             parts_of_error = compute_position_errors(triads, weights, mission=0)
             errors, leaning = parts_of_error.error[:, 0], parts_of_error.mounting[:, 0]
-            rules = cases.rules(training.select(slice(40)), weights)
+            rules = cases.class_ratios(training.select(slice(40)), weights)
             predicted = block.predict_all(weights, triads, learnt, rules, seed=1)
             ranked = block.tabulate_rankings(weights, triads)
             parts.append(

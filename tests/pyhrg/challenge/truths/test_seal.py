@@ -6,6 +6,7 @@ import pytest
 
 from pyhrg.challenge.truths import seal
 from pyhrg.challenge.truths.truth import Truth
+from pyhrg.common.errors import HrgError
 
 TRUTH = Truth("single", ("duffing_stiffness",), {"duffing_Hz": 1e-3}, (7.5,), stand_ins=("a", "b"))
 
@@ -25,5 +26,5 @@ def test_another_truth_is_refused(tmp_path: Path) -> None:
 
 
 def test_a_missing_truth_is_said(tmp_path: Path) -> None:
-    with pytest.raises(seal.ChallengeError, match=r"gone\.json: can't be read: No such file"):
+    with pytest.raises(HrgError, match=r"gone\.json: can't be read: No such file"):
         seal.hash_truth(tmp_path / "gone.json")

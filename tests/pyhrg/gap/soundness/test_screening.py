@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG, HZ
-from pyhrg.device.device_file import DeviceError
 from pyhrg.fmu import GyroFmu
 from pyhrg.gap.effects.catalogue import DETERMINISTIC, NOISES, Effect, NoiseEffect
 from pyhrg.gap.soundness import nominal_device, screen_campaign
@@ -113,7 +113,7 @@ def test_nominal_values_are_checked(error_free: Campaign) -> None:
     short = {key: value for key, value in error_free.nominal.items() if key != "decay_time_s"}
     with pytest.raises(CampaignError, match=r"nominal\.decay_time_s: missing; expected a number"):
         screen_campaign(replace(error_free, nominal=short))
-    with pytest.raises(DeviceError, match=r"nominal: decay_time_s: found -1\.0, expected 1 to"):
+    with pytest.raises(HrgError, match=r"nominal: decay_time_s: found -1\.0, expected 1 to"):
         screen_campaign(replace(error_free, nominal=short | {"decay_time_s": -1.0}))
     screened, exclusions, _ = screen_campaign(
         replace(error_free, nominal={**error_free.nominal, "colour": 3.0})

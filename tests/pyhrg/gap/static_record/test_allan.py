@@ -10,10 +10,11 @@ import pytest
 
 from pyhrg import compute_allan
 from pyhrg.cli import allan
+from pyhrg.common.errors import HrgError
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG, DEG_PER_H, DEG_PER_SQRT_H
 from pyhrg.gap.static_record.allan import FILES
-from pyhrg.gap.static_record.record import MIN_READINGS, RecordError
+from pyhrg.gap.static_record.record import MIN_READINGS
 
 N, INTERVAL, WALK, SITE_RATE = 8192, 0.1, 0.01 * DEG_PER_SQRT_H, EARTH_RATE * 0.6
 
@@ -65,5 +66,5 @@ def test_the_command_writes_what_it_says(
 def test_a_record_that_is_too_short_is_refused(log: Path) -> None:
     text = "".join(log.read_text().splitlines(keepends=True)[:500])
     log.write_text(text)
-    with pytest.raises(RecordError, match=f"498 readings, expected {MIN_READINGS} or more"):
+    with pytest.raises(HrgError, match=f"498 readings, expected {MIN_READINGS} or more"):
         compute_allan(log)

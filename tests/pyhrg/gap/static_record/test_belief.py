@@ -5,8 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
-from pyhrg.gap.static_record.belief import BeliefError, read_beliefs
+from pyhrg.gap.static_record.belief import read_beliefs
 
 
 def written(folder: Path, text: str) -> Path:
@@ -62,5 +63,5 @@ bias_instability_micro_g = 7
     ],
 )
 def test_refused(tmp_path: Path, text: str, message: str) -> None:
-    with pytest.raises(BeliefError, match=message):
+    with pytest.raises(HrgError, match=message):
         read_beliefs(written(tmp_path, text))

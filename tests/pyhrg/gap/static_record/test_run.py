@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyhrg.gap.static_record import BeliefError, RecordError, StaticRecord, diagnose_record
+from pyhrg.common.errors import HrgError
+from pyhrg.gap.static_record import StaticRecord, diagnose_record
 from pyhrg.gap.static_record.belief import Belief, parse_belief, read_beliefs
 from pyhrg.gap.static_record.record import (
     Channel,
@@ -73,21 +74,21 @@ def test_the_same_bytes(tmp_path: Path) -> None:
 
 def test_nothing_is_written_where_something_is_refused(tmp_path: Path) -> None:
     belief = belief_file(tmp_path)
-    with pytest.raises(RecordError, match="gyro_x: found 800 readings, expected 1024 or more"):
+    with pytest.raises(HrgError, match="gyro_x: found 800 readings, expected 1024 or more"):
         diagnose_record(imu_log(tmp_path / "imu.csv", 800), belief, out=tmp_path / "out")
     belief.write_text("[accelerometers]\nvelocity_random_walk_m_s_sqrt_h = 1\n")
     gyro = Channel("gyro", GYRO, 1.0, noisy_angle(2048, (0, 1, 0, 0, 0), np.random.default_rng(1)))
-    with pytest.raises(BeliefError, match="found a record of gyros, expected a belief of them"):
+    with pytest.raises(HrgError, match="found a record of gyros, expected a belief of them"):
         diagnose_record(StaticRecord("log", (gyro,)), read_beliefs(belief))
     assert not (tmp_path / "out").exists()
 
 
 def test_readings_that_are_none_are_refused() -> None:
     values = np.random.default_rng(1).standard_normal(2000)
-    with pytest.raises(RecordError, match="g: found 3 in all readings"):
+    with pytest.raises(HrgError, match="g: found 3 in all readings"):
         channel_from_increments("g", GYRO, 1.0, np.full(2000, 3.0))
     values[5] = np.nan
-    with pytest.raises(RecordError, match="g: reading 5: found nan"):
+    with pytest.raises(HrgError, match="g: reading 5: found nan"):
         channel_from_increments("g", GYRO, 1.0, values)
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyhrg.records import LogError
+from pyhrg.common.errors import HrgError
 from pyhrg.records.campaign_import.layout import Cells, Layout, read_cells
 
 
@@ -42,11 +42,11 @@ def test_rows_are_lines_of_the_file(tmp_path: Path) -> None:
 
 def test_a_name_that_is_there_twice_is_not_guessed(tmp_path: Path) -> None:
     cells = cells_of(tmp_path, b"a,a\n1,2\n", Layout())
-    with pytest.raises(LogError, match=r"log\.txt: column a: found 2 columns of that name"):
+    with pytest.raises(HrgError, match=r"log\.txt: column a: found 2 columns of that name"):
         cells.numbers("a")
     assert cells.numbers(2) == [2.0]
 
 
 def test_another_encoding_is_an_error(tmp_path: Path) -> None:
-    with pytest.raises(LogError, match=r"log\.txt: found what is no text in utf-8"):
+    with pytest.raises(HrgError, match=r"log\.txt: found what is no text in utf-8"):
         cells_of(tmp_path, "°\n1\n".encode("latin-1"), Layout())

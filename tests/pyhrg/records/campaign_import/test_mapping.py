@@ -5,7 +5,6 @@ from pathlib import Path
 import pytest
 
 from pyhrg.common.errors import HrgError
-from pyhrg.common.toml_table import SpecificationError
 from pyhrg.records.campaign_import import read_mapping
 from tests.pyhrg.records.campaign_import.labs import HEAD, entry_of
 
@@ -98,22 +97,20 @@ def test_a_wrong_key_is_named(tmp_path: Path, change: tuple[str, str], message: 
 )
 def test_a_wrong_column_is_named(tmp_path: Path, column: str, message: str) -> None:
     with pytest.raises(
-        SpecificationError, match=rf"tests\[0\]\.columns\.(gyro_angle\.|amplitude\.)?{message}"
+        HrgError, match=rf"tests\[0\]\.columns\.(gyro_angle\.|amplitude\.)?{message}"
     ):
         read(tmp_path, COLUMNS + column)
 
 
 def test_ids_are_there_once(tmp_path: Path) -> None:
-    with pytest.raises(SpecificationError, match=r"tests\[0\]\.id: found 'one', expected a file"):
+    with pytest.raises(HrgError, match=r"tests\[0\]\.id: found 'one', expected a file"):
         read(tmp_path, GOOD + entry_of("one", "rate", "fit", "two.csv"))
 
 
 def test_no_mapping_at_all(tmp_path: Path) -> None:
-    with pytest.raises(
-        SpecificationError, match=r"tests: found no such key, expected \[\[tests\]\]"
-    ):
+    with pytest.raises(HrgError, match=r"tests: found no such key, expected \[\[tests\]\]"):
         read(tmp_path, HEAD)
-    with pytest.raises(SpecificationError, match="found what is no TOML"):
+    with pytest.raises(HrgError, match="found what is no TOML"):
         read(tmp_path, "device = ")
-    with pytest.raises(SpecificationError, match="can't be read"):
+    with pytest.raises(HrgError, match="can't be read"):
         read_mapping(tmp_path / "other.toml")

@@ -20,7 +20,7 @@ from pyhrg.records import Log
 Array = NDArray[np.float64]
 
 LEVELS = {"ideal": 0.0, "good-lab": 1.0, "rough-lab": 3.0}
-"""Levels of realism: the largest error of each value, in its tolerance."""
+"""Largest error of each known value at a level of realism, in units of its tolerance."""
 NOMINAL = tuple(
     k.fields[0] for k in KNOWN if k.family == "nominal" and k.fields[0] != "frequency_error"
 )

@@ -1,5 +1,5 @@
 """Strength of a gap in the tests of a campaign, sigmas, from Fisher information
-(docs/methods/challenge.md, Eq. 1 to 3)."""
+(docs/methods/challenge.md, Eqs. 1 to 4)."""
 
 import math
 from collections.abc import Mapping, Sequence

@@ -1,4 +1,4 @@
-"""All parameters of a gyro that are one number each."""
+"""Parameters of loops, noise, temperature and bench: one number each."""
 
 import math
 from dataclasses import dataclass

@@ -151,6 +151,9 @@ def format_estimate(value: float, low: float, high: float) -> tuple[str, str, st
 
 
 def format_interval(value: float, low: float, high: float) -> str:
-    """A number with its interval, such as 0.965 (0.918 to 0.983), as `format_estimate`."""
+    """A number with its interval, such as 0.965 (0.918 to 0.983), as `format_estimate`; an exact
+    number alone."""
+    if low == high:
+        return format_number(value)
     middle, *ends = format_estimate(value, low, high)
     return f"{middle} ({' to '.join(ends)})"

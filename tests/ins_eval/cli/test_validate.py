@@ -93,7 +93,7 @@ def test_again_is_told_without_work(folder: Path, capsys: pytest.CaptureFixture[
         (["--trajectory", "nowhere"], "nowhere: found no such mission, expected aircraft, "),
         (["--trajectory", "weaving"], "weaving"),
         (["--workers", "0"], "workers: found 0, expected a whole number from 1"),
-        (["--bogus"], "unrecognized arguments: --bogus"),
+        (["--bogus"], "found --bogus, expected"),
     ],
 )
 def test_mistake_is_one_line_and_status_2(

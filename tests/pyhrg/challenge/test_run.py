@@ -179,16 +179,16 @@ def test_challenges_of_other_seeds_are_scored_together(tmp_path: Path) -> None:
     assert [(of["seed"], len(of["cases"])) for of in listed] == [(4, 3), (3, 3)]
     with pytest.raises(ChallengeError, match="1: seed 3 is scored already"):
         Challenge(same, SETTINGS, says_no_gap).run(1, [one])
-    with pytest.raises(ChallengeError, match=r"settings\.json: can't be read: No such file"):
+    with pytest.raises(HrgError, match=r"settings\.json: can't be read: No such file"):
         other.run(1, [begun])
     begun.begin(SETTINGS)
-    with pytest.raises(ChallengeError, match=r"challenge\.json: can't be read: No such file"):
+    with pytest.raises(HrgError, match=r"challenge\.json: can't be read: No such file"):
         other.run(1, [begun])
     begun.index.write_text("{}")
-    with pytest.raises(ChallengeError, match=r"challenge\.json: cases: found None, expected"):
+    with pytest.raises(HrgError, match=r"challenge\.json: cases: found None, expected"):
         other.run(1, [begun])
     begun.index.write_text('{"cases": []}')
-    with pytest.raises(ChallengeError, match=r"unit-0001\.json: can't be read"):
+    with pytest.raises(HrgError, match=r"unit-0001\.json: can't be read"):
         other.run(1, [begun])
 
 

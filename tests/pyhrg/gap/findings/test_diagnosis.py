@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from pyhrg.common.errors import HrgError
 from pyhrg.device.device import Device
 from pyhrg.gap.closing.closing import read_identified_device
 from pyhrg.gap.effects.catalogue import EFFECTS
@@ -154,12 +155,12 @@ CAUSE = GIVEN.document()["causes"][0]
 )
 def test_what_is_wrong_is_said(tmp_path: Path, change: dict[str, Any], message: str) -> None:
     (tmp_path / FILE).write_text(json.dumps({**GIVEN.document(), **change}))
-    with pytest.raises(DiagnosisError, match=message):
+    with pytest.raises(HrgError, match=message):
         read_diagnosis(tmp_path / FILE)
 
 
 @pytest.mark.parametrize(("text", "message"), [("{", "no JSON"), ("[]", "a JSON object")])
 def test_other_files_are_refused(tmp_path: Path, text: str, message: str) -> None:
     (tmp_path / "a.json").write_text(text)
-    with pytest.raises(DiagnosisError, match=message):
+    with pytest.raises(HrgError, match=message):
         read_diagnosis(tmp_path / "a.json")

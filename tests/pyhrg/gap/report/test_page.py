@@ -92,7 +92,7 @@ def test_faults_of_bench_and_record_are_told_with_what_to_do(
     answers = answer_questions(replace(without_gap, diagnosis=diagnosis))
     assert answers["Where"][0] == "In the bench and the record."
     assert answers["What"] == [
-        "Mounting sign: table angle sign −1 (−1.0002 to −0.999804), not 1.",
+        "Mounting sign: table angle sign −1.00000 (−1.00020 to −0.99980), not 1.",
         "Lost rows: 2 %.",
         "Within its tolerance: outliers: 0.1 %, not 0.",
     ]

@@ -26,7 +26,7 @@ def list_fault_causes(faults: Iterable[Fault]) -> tuple[Cause, ...]:
 
 
 def list_tolerated_faults(faults: Sequence[Fault]) -> tuple[KnownValue, ...]:
-    """Faults that do not exceed their tolerance, with more probability than a cause may lack."""
+    """Faults that are not beyond their tolerance with a probability above `BEYOND_PROBABILITY`."""
     return tuple(
         KnownValue(
             fault.kind.name,

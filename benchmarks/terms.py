@@ -17,7 +17,6 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats import binomtest
 from tqdm import tqdm
 
@@ -29,6 +28,7 @@ from pyhrg.challenge.truths.form import (
     find_ideal_pattern_angle,
     find_resonator_warmth,
 )
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, HZ, MINUTE
 from pyhrg.gap.diagnose import diagnose
 from pyhrg.gap.findings.diagnosis import Diagnosis
@@ -43,7 +43,6 @@ from tests.pyhrg.gap.closing.equation.planted import (
 )
 from tests.pyhrg.gap.soundness.conftest import NOMINAL
 
-Array = NDArray[np.float64]
 Disturb = Callable[[float], Disturbance]
 SIMULATION = load_simulation()
 GROWTH, GRAVITY = 1 / NOMINAL.decay_time, 9.81

@@ -3,7 +3,6 @@
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from benchmarks.intervals._environment import (
     FAST,
@@ -20,14 +19,13 @@ from pyhrg.bench.bias.thermal.thermal_scale_factor import MEAN_STABILITY, REPEAT
 from pyhrg.bench.bias.thermal_programme import make_programme
 from pyhrg.bench.estimation.terms import choose_pattern_basis
 from pyhrg.bench.readings.spins import compute_scale_factor_error, find_spins, pair_spins
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG_PER_H, MINUTE
 from pyhrg.device.device import Device
 from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
 from pyhrg.records.campaign import Campaign
 from pyhrg.theory import closed_forms as theory
-
-Array = NDArray[np.float64]
 
 MODEL = "HRGSlow"
 SOAKS = (0.0, 25.0, 50.0)

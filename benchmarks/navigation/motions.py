@@ -4,7 +4,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from benchmarks.navigation.weave import Weave
@@ -12,9 +11,8 @@ from ins_eval.common import earth
 from ins_eval.common.state import State, Track, TrackError, track_error
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 KEPT_EACH = 60.0
 """Time between points of comparison, s."""

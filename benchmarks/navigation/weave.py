@@ -3,13 +3,11 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 from ins_eval.common import earth
 from ins_eval.trajectories.trajectory import Trajectory
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 KNOTS_EACH = 0.25
 """s."""

@@ -4,7 +4,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.challenge.campaigns.course import make_course
 from pyhrg.challenge.campaigns.gyro import TrueGyro
@@ -20,6 +19,7 @@ from pyhrg.challenge.campaigns.nominal import draw_nominal, draw_site
 from pyhrg.challenge.campaigns.plans import Plan, plan_further_tests, plan_tests
 from pyhrg.challenge.truths.meter import Meter, make_measured_course
 from pyhrg.challenge.truths.truth import Drawing, TrueState, Truth
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import Site
 from pyhrg.common.units import ARCSEC
 from pyhrg.device import device_file
@@ -29,7 +29,6 @@ from pyhrg.gap.effects.catalogue import EFFECT_NAMES
 from pyhrg.gap.replay.simulation import Simulation, is_short
 from pyhrg.records.campaign import Campaign, Test
 
-Array = NDArray[np.float64]
 STEPS = 100
 """Communication steps in a row of the true gyro."""
 

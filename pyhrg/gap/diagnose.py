@@ -6,10 +6,8 @@ from dataclasses import asdict, dataclass, replace
 from importlib import import_module
 from pathlib import Path
 
-import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
-from numpy.typing import NDArray
 
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import stage_files
@@ -47,8 +45,6 @@ from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
 from pyhrg.records import campaign as campaigns
 from pyhrg.records.campaign import Campaign
 from pyhrg.records.columns import BY_FIELD
-
-Array = NDArray[np.float64]
 
 BEFORE_FILE, AFTER_FILE = "before.toml", "after.toml"
 """Device files of the nominal and of the identified device."""

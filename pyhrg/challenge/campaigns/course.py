@@ -5,12 +5,10 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.bench import compute_step_middles, interpolate_rows
 from pyhrg.bench.programme import HELD_INPUTS, Programme
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 @dataclass(frozen=True)

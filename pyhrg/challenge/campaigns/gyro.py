@@ -6,7 +6,6 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.fft import irfft, next_fast_len, rfft, rfftfreq
 
 from pyhrg.bench.bench import (
@@ -18,11 +17,10 @@ from pyhrg.bench.bench import (
 from pyhrg.bench.programme import HELD_INPUTS, LOGGED_COMMANDS
 from pyhrg.challenge.campaigns.course import Course
 from pyhrg.challenge.campaigns.instruments import Instruments, record_log
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

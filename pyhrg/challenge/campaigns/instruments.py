@@ -4,14 +4,12 @@ from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import HZ
 from pyhrg.device.device import Device
 from pyhrg.records import Log
 from pyhrg.records.columns import BY_FIELD
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

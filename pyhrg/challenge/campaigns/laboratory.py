@@ -9,15 +9,13 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import signal
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import KNOWN
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 LEVELS = {"ideal": 0.0, "good-lab": 1.0, "rough-lab": 3.0}
 """Largest error of each known value at a level of realism, in units of its tolerance."""

@@ -4,11 +4,10 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.challenge.scoring.figure import CONFIDENCE, RESAMPLES, Figure, Sense
+from pyhrg.common.arrays import Array
 
-Array = NDArray[np.float64]
 BINS = 10
 """Number of bins of claims by their probability, with equal counts."""
 Claims = Sequence[tuple[float, bool]]

@@ -6,14 +6,13 @@ from dataclasses import dataclass
 from importlib import import_module
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.signal import lfilter
 
 from pyhrg.challenge.campaigns.course import Course
 from pyhrg.challenge.campaigns.gyro import Disturbance
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 
-Array = NDArray[np.float64]
 Shape = Callable[[Course, float], Array]
 """Added input rate at unit size, (n, m), rad/s, by course and start angle."""
 Disturb = Callable[[Device, float, np.random.Generator], Disturbance]

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property, partial
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
 from pyhrg.bench.programme import Programme
@@ -17,6 +16,7 @@ from pyhrg.challenge.campaigns.instruments import Instruments
 from pyhrg.challenge.campaigns.laboratory import Laboratory
 from pyhrg.challenge.truths.noise_strength import measure_noise, set_noise
 from pyhrg.challenge.truths.unsteadiness import measure_unsteadiness
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD
 from pyhrg.gap.effects.catalogue import DETERMINISTIC, EFFECTS, NOISE_EFFECTS, Effect, NoiseEffect
@@ -28,7 +28,6 @@ from pyhrg.gap.whitening.whitening import NoiseModel, whiten
 from pyhrg.records import Log
 from pyhrg.records.campaign import Test
 
-Array = NDArray[np.float64]
 NOTHING = Disturbance()
 STEP = 1e-3
 """Step of a sensitivity over the effect's scale, small enough to be linear."""

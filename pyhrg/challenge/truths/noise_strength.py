@@ -7,14 +7,13 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import minimize
 
 from pyhrg.challenge.campaigns.course import Course
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import NoiseEffect
 
-Array = NDArray[np.float64]
 LEVELS = ("angle_random_walk", "angle_white_noise")
 STATED_LEVEL_SIGMA = 0.03
 """Standard deviation of the logarithm of a stated noise level."""

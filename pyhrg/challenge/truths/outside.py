@@ -14,7 +14,6 @@ from scipy.signal import lfilter
 from pyhrg.challenge.campaigns.course import Course
 from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.challenge.truths.form import (
-    Array,
     Form,
     Shape,
     apply_play,
@@ -24,6 +23,7 @@ from pyhrg.challenge.truths.form import (
     make_rate_form,
     make_signed_rate_form,
 )
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, HZ, PPM
 from pyhrg.device.device import Device
 from pyhrg.records import Log

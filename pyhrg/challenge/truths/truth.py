@@ -7,18 +7,17 @@ from dataclasses import dataclass, field
 from functools import cache, partial
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.challenge.truths.form import load_forms
 from pyhrg.challenge.truths.meter import Meter
 from pyhrg.challenge.truths.noise_strength import set_noise
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
 from pyhrg.gap.effects.catalogue import EFFECT_NAMES, EFFECTS, NOISE_EFFECTS, Effect
 
-Array = NDArray[np.float64]
 KINDS = ("none", "single", "pair", "outside", "weak", "left_out", "several")
 """Kinds of truths. `weak` is a single effect below the detection strength; `left_out` one that is
 removed from the diagnosis' catalogue."""

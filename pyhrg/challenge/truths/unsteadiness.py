@@ -3,9 +3,8 @@
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 CELL = 16
 """Neighbouring coefficients of one time scale whose mean power is one estimate (chosen)."""

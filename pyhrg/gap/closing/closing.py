@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
 from pyhrg.gap.effects.catalogue import EFFECTS, NOISE_EFFECTS
@@ -17,7 +17,6 @@ from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels
 from pyhrg.gap.soundness.fault import FAULT_NAMES
 
-Array = NDArray[np.float64]
 Residuals = Mapping[str, Array]
 """(n,) record less simulation by channel, SI; NaN where the two are not compared."""
 

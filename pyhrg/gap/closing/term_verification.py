@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats import chi2
 
 from pyhrg.gap.closing.closing import Closing, Residuals, compute_record_residuals
@@ -18,8 +17,6 @@ from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.simulation import Simulation, replay_sampled
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
 from pyhrg.gap.whitening.whitening import whiten
-
-Array = NDArray[np.float64]
 
 UPPER_QUANTILE = 0.975
 """Quantile of the noise floor above which a residual has an excess: that of a 95 % interval."""

@@ -4,15 +4,13 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats import chi2
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_H
 from pyhrg.gap.findings.diagnosis import Gap, GapFigure
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.whitening.whitening import NoiseModel, draw_noise, whiten
-
-Array = NDArray[np.float64]
 
 SEED = 1
 """Seed of the noise draws that make the floor."""

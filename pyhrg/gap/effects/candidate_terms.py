@@ -12,14 +12,12 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.signal import lfilter
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.caches.compiled import compile_loop
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.observations import ObservedTest
-
-Array = NDArray[np.float64]
 
 PATTERN_HARMONICS = (1, 2, 3, 4, 5, 6, 8, 10, 12, 16)
 """Harmonics of the pattern angle. Chosen: all up to 6, then those of squares and products of the

@@ -10,14 +10,12 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.keys import Key
 from pyhrg.device.declarations import Family, read_declarations
 from pyhrg.device.device import Device
 from pyhrg.device.keys import KEYS
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, Coordinates
 from pyhrg.gap.effects.catalogue import Effect
@@ -17,7 +18,6 @@ from pyhrg.gap.replay.simulation import compute_carrier_terms
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, compute_temperature_slopes
 from pyhrg.gap.whitening.whitening import WhitenedSeries, whiten
 
-Array = NDArray[np.float64]
 Group = Effect | CandidateTerm
 """What a group of the design's columns stands for."""
 Sizes = Mapping[Group, Array]

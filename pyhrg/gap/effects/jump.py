@@ -5,12 +5,9 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, Coordinates
-
-Array = NDArray[np.float64]
-
 
 Kind = Literal["bias", "pattern", "output"]
 """What changes: the bias from then on; the pattern angle at once; or the output angle alone, as

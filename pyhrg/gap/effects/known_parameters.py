@@ -13,10 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import cho_factor, cho_solve
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Design, Group, Sizes
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -3,8 +3,8 @@
 from collections.abc import Callable, Iterable, Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
 from pyhrg.gap.effects.candidate_terms import compute_coordinates
@@ -12,8 +12,6 @@ from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import LinearTest
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation
-
-Array = NDArray[np.float64]
 
 STEP_SHARE = 1e-4
 """Step of a sensitivity's finite difference, in scales of the effect. Chosen."""

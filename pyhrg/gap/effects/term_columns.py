@@ -5,8 +5,8 @@ the pick-off shows, and a force is as wrong as the drive (docs/methods/effects.m
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import (
     EACH_POWER_ON,
     CandidateTerm,
@@ -15,7 +15,6 @@ from pyhrg.gap.effects.candidate_terms import (
     make_harmonic,
 )
 
-Array = NDArray[np.float64]
 Columns = list[tuple[CandidateTerm, Array]]
 """Terms with their (n, b) columns in one channel."""
 

@@ -9,9 +9,7 @@ import math
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-from numpy.typing import NDArray
-
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue, Effect
@@ -26,8 +24,6 @@ from pyhrg.gap.evidence.step import LINEARIZATION_ERROR, go_halfway, measure_ste
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
-
-Array = NDArray[np.float64]
 
 CONVERGENCE_DISTANCE = 0.1
 """The search has converged when a step moves the gyro by less than this Mahalanobis distance

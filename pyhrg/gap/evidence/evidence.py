@@ -11,15 +11,14 @@ from dataclasses import dataclass
 from typing import TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import LinAlgError, cho_factor, cho_solve
 from scipy.special import gammaln
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Design, Group
 
-Array = NDArray[np.float64]
 AnyGroup = TypeVar("AnyGroup", bound=Group)
 
 MAX_PRIOR_SIZE_SIGMA = 1e5

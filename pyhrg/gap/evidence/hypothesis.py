@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
@@ -27,8 +27,6 @@ from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
 from pyhrg.gap.evidence.residuals import compute_residuals, distinct_by_groups
 from pyhrg.gap.evidence.search import Ranking, rank_sets
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, estimate_campaign_noise
-
-Array = NDArray[np.float64]
 
 MODEL_ERROR_POWER = 1e-10
 """Share of the power of a channel's response in a test that the simulation may get wrong (Eq. (9)).

@@ -4,9 +4,9 @@ import math
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.signal import fftconvolve
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.jump import (
     Jump,
     Kind,
@@ -18,8 +18,6 @@ from pyhrg.gap.effects.jump import (
 from pyhrg.gap.evidence.evidence import HALF_UNNAMED_ODDS, log_evidence
 from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.whitening.whitening import whiten
-
-Array = NDArray[np.float64]
 
 MOMENTS = 24
 """Number of moments of a test that are tried first, and again between the neighbours of the best.

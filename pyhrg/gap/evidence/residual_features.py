@@ -12,12 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import expit, logsumexp
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.design import TestChannel
 from pyhrg.gap.evidence.evidence import HALF_UNNAMED_ODDS, log_evidence
 from pyhrg.gap.evidence.noise.noise_posterior import TOLERANCE
 from pyhrg.gap.evidence.residuals import Residual
-
-Array = NDArray[np.float64]
 
 MIN_READINGS = 16
 """Readings that a stretch must have. Chosen."""

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Group, LinearTest
@@ -17,7 +17,6 @@ from pyhrg.gap.whitening.channel_noise import CampaignNoise
 from pyhrg.gap.whitening.whitening import NoiseModel, whiten
 from pyhrg.records import Log
 
-Array = NDArray[np.float64]
 Removed = Mapping[Group, Array]
 """Size of each group that is removed from the records."""
 

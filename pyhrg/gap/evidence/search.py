@@ -9,15 +9,14 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.special import logsumexp
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Design, Group
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.evidence.evidence import EFFECT_ODDS, UNNAMED_ODDS, Fit, fit, min_free_variance
 
-Array = NDArray[np.float64]
 Key = frozenset[int]
 """A set of groups, by their indices."""
 

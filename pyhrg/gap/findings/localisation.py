@@ -9,10 +9,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.design import Block, Design
 
-Array = NDArray[np.float64]
 Columns = Mapping[CandidateTerm, NDArray[np.int64]]
 """Columns of each term within a block."""
 

@@ -8,16 +8,14 @@ import math
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_H
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.residuals import Removed, compute_residuals
 from pyhrg.gap.findings.diagnosis import Gap, Leftover
 from pyhrg.gap.replay.observations import CHANNELS
-
-Array = NDArray[np.float64]
 
 MIN_RATE_TIME = 600.0
 """Shortest test over which the mean rate of what is left is taken, s. Chosen."""

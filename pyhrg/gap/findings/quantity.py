@@ -4,13 +4,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.design import LinearTest, whiten_rows
 from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
-
-Array = NDArray[np.float64]
 
 TIME_SCALES = (1.0, 10.0, 100.0, 1000.0)
 """Times over which residuals are averaged, s."""

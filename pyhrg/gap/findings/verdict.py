@@ -7,9 +7,9 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats import norm
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.keys import Key
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.evidence.attribution import Attribution
@@ -22,8 +22,6 @@ from pyhrg.gap.evidence.residual_features import ResidualFeature, find_residual_
 from pyhrg.gap.evidence.residuals import compute_residuals
 from pyhrg.gap.findings.diagnosis import Cause, KnownValue, Verdict
 from pyhrg.gap.replay.observations import CHANNELS
-
-Array = NDArray[np.float64]
 
 UNEXPLAINED_PROBABILITY = 0.5
 """The verdict is `unexplained` where something outside the catalogue takes part with at least this

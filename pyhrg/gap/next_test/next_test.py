@@ -17,6 +17,7 @@ from scipy.special import logsumexp
 
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.programme import Programme
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import HOUR
 from pyhrg.gap.effects.candidate_terms import compute_coordinates
 from pyhrg.gap.effects.catalogue import Effect
@@ -41,7 +42,6 @@ from pyhrg.gap.replay.observations import CHANNELS, COARSE_STEP, ObservedTest, o
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.gap.whitening.whitening import NoiseModel
 
-Array = NDArray[np.float64]
 Pair = tuple[int, int]
 """Indices of two hypotheses."""
 

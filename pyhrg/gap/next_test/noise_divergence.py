@@ -6,12 +6,10 @@ Whittle's approximation (docs/methods/next_test.md, Eq. (4); P. Whittle, Ark. Ma
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.next_test.candidate_tests import LONG_ROWS
 from pyhrg.gap.whitening.whitening import NoiseModel
-
-Array = NDArray[np.float64]
 
 
 def compute_divergence(

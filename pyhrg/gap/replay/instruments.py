@@ -3,9 +3,8 @@
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 MIN_REPEATED_SHARE = 0.3
 """Share of readings that repeat the one before, above which noise is finer than the step.

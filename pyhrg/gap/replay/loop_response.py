@@ -3,10 +3,9 @@
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import signal
 
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 def compute_loop_force(force: Array, natural_frequency: float, interval: float) -> Array:

@@ -6,13 +6,13 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.reading_noise import ReadingNoise
 from pyhrg.gap.replay.replay import HELD_COLUMNS, ReplayInputs, prepare_inputs
 from pyhrg.records import Log
 from pyhrg.records.campaign import Test
 
-Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 CHANNELS = (

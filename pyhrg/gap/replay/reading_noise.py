@@ -13,11 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import nnls
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.common.units import ARCSEC
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 DIFFERENCE_ORDER = 4
 """Order of the differences: high enough that smooth motion and encoder errors that last for many

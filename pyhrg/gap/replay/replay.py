@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.bench import (
     LOOP_OUTPUTS,
@@ -16,6 +15,7 @@ from pyhrg.bench.bench import (
     record_rows,
 )
 from pyhrg.bench.programme import HELD_INPUTS
+from pyhrg.common.arrays import Array
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
@@ -23,8 +23,6 @@ from pyhrg.fmu import GyroFmu
 from pyhrg.gap.replay.instruments import estimate_toggling_step
 from pyhrg.gap.replay.table_motion import TableMotion, estimate_table_motion
 from pyhrg.records import COLUMNS, Log
-
-Array = NDArray[np.float64]
 
 HELD_COLUMNS = tuple(name for name in HELD_INPUTS if name not in ("vibration", "bias_voltage"))
 """Inputs that a row of a log holds constant."""

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from fmu_build.bundle import build_fmu
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
 from pyhrg.gap.replay import replay as replays
@@ -26,7 +26,6 @@ from pyhrg.gap.replay.observations import (
 from pyhrg.gap.replay.replay import ANGLES, ReplayInputs, replay_inputs
 from pyhrg.theory.closed_forms import beyond_the_average
 
-Array = NDArray[np.float64]
 ChannelValues = Mapping[str, Array]
 """(n,) values in SI by field of a log."""
 

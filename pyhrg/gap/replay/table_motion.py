@@ -4,13 +4,11 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse import linalg
 
 from pyhrg.bench.bench import compute_step_middles, interpolate_rows
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 NEGLIGIBLE_TURN = 1e-8
 """Turn of the table in a row that counts as zero, rad. Chosen: about three times the largest second

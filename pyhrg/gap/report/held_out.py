@@ -4,8 +4,8 @@ output angle on held-out tests."""
 import html
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.report.closing import NOT_VERIFIED
@@ -14,8 +14,6 @@ from pyhrg.gap.report.figures.strips import Band, Labels, Size, Strip, draw_stri
 from pyhrg.gap.report.figures.views import ANGLE, VIEWS, View, draw_view_noise
 from pyhrg.gap.report.places import sum_shares
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 POINTS = 400
 """Stretches of rows of which a strip shows the lowest and the highest value."""

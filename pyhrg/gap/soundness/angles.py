@@ -9,14 +9,10 @@ import itertools
 
 import numpy as np
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.device.device import Device
-from pyhrg.gap.soundness.exclusion import (
-    Array,
-    Exclusion,
-    NominalEstimate,
-    exclude_columns,
-)
+from pyhrg.gap.soundness.exclusion import Exclusion, NominalEstimate, exclude_columns
 from pyhrg.records import Log
 
 ANGLE_TOLERANCE = 0.1 * DEG

@@ -4,14 +4,10 @@ import itertools
 
 import numpy as np
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import HZ
 from pyhrg.device.device import Device
-from pyhrg.gap.soundness.exclusion import (
-    Array,
-    Exclusion,
-    NominalEstimate,
-    exclude_columns,
-)
+from pyhrg.gap.soundness.exclusion import Exclusion, NominalEstimate, exclude_columns
 from pyhrg.records import Log
 
 ACCELERATIONS = ("acceleration_x", "acceleration_y", "acceleration_z")

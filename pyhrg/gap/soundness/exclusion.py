@@ -10,8 +10,6 @@ from numpy.typing import NDArray
 from pyhrg.records import Log
 from pyhrg.records.columns import BY_FIELD
 
-Array = NDArray[np.float64]
-
 
 @dataclass(frozen=True)
 class Exclusion:

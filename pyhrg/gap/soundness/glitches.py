@@ -5,6 +5,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.observations import (
@@ -18,7 +19,6 @@ from pyhrg.gap.replay.observations import (
 from pyhrg.gap.replay.replay import prepare_inputs
 from pyhrg.gap.soundness.angles import compute_departure
 from pyhrg.gap.soundness.exclusion import (
-    Array,
     Exclusion,
     replace_columns,
 )

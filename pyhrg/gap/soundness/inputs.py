@@ -6,10 +6,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.reading_noise import estimate_scatter
 from pyhrg.gap.soundness.attitude import ACCELERATIONS
-from pyhrg.gap.soundness.exclusion import Array, find_runs, replace_columns
+from pyhrg.gap.soundness.exclusion import find_runs, replace_columns
 from pyhrg.records import COLUMNS, Log, LogError
 from pyhrg.records.missing_inputs import add_missing_inputs
 

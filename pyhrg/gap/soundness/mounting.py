@@ -8,9 +8,10 @@ from collections.abc import Collection, Sequence
 
 import numpy as np
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
-from pyhrg.gap.soundness.exclusion import Array, find_runs, replace_columns
+from pyhrg.gap.soundness.exclusion import find_runs, replace_columns
 from pyhrg.gap.soundness.fault import AXIS_SIGN, TABLE_SIGN, Fault
 from pyhrg.records import Log
 from pyhrg.records.columns import BY_FIELD

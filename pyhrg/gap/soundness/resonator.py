@@ -4,14 +4,9 @@ import math
 
 import numpy as np
 
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
-from pyhrg.gap.soundness.exclusion import (
-    Array,
-    Exclusion,
-    NominalEstimate,
-    exclude_columns,
-    find_runs,
-)
+from pyhrg.gap.soundness.exclusion import Exclusion, NominalEstimate, exclude_columns, find_runs
 from pyhrg.records import Log
 
 AMPLITUDE_TOLERANCE = 0.1

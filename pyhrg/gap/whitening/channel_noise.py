@@ -7,14 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.instruments import estimate_reading_steps
 from pyhrg.gap.replay.observations import Mask, ObservedTest
 from pyhrg.gap.replay.replay import list_measured_temperatures
 from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel
-
-Array = NDArray[np.float64]
 
 OUTLIER_SIGMA = 5.0
 """Second differences above this many robust standard deviations are not counted as noise.

@@ -6,11 +6,9 @@ calls would cost up to half of the time of one series.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.caches.compiled import compile_loop
-
-Array = NDArray[np.float64]
 
 
 @compile_loop

@@ -3,8 +3,8 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG, DEG_PER_H, HZ
 from tests.agreement.paper.gyros import (
     DAMPING,
@@ -15,8 +15,6 @@ from tests.agreement.paper.gyros import (
     K,
     simulate_output_rate,
 )
-
-Array = NDArray[np.float64]
 
 ANGLES = np.arange(2.5, 90.0, 7.5) * DEG
 DAMPING_AT, STIFFNESS_AT = 10 * DEG, 40 * DEG

@@ -5,13 +5,12 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from fmu_build.bundle import build_fmu
+from pyhrg.common.arrays import Array
 from pyhrg.fmu import GyroFmu
 from tests.driving import advance
 
-Array = NDArray[np.float64]
 Parameters = Mapping[str, float]
 
 K = 0.277

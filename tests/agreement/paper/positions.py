@@ -10,10 +10,11 @@ from pyhrg.bench.bias.position import full_circumference, position_plans
 from pyhrg.bench.bias.position.position_plans import summarize_plans
 from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.readings.segments import SEGMENT, read_segments
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE, Site
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H
 from pyhrg.device.device import Device
-from tests.agreement.paper.gyros import Array, K, load_fmu
+from tests.agreement.paper.gyros import K, load_fmu
 
 SITE = Site()
 ANISOTROPY = 4 * K * 1 * DEG_PER_H

@@ -4,8 +4,9 @@ import math
 
 import numpy as np
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H
-from tests.agreement.paper.gyros import DAMPING, Array, K, Turn, simulate_turn
+from tests.agreement.paper.gyros import DAMPING, K, Turn, simulate_turn
 
 GAIN, NON_ORTHOGONALITY = "pickOff.gainMismatch", "pickOff.nonOrthogonality"
 SMALL = 1e-3

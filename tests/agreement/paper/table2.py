@@ -9,9 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import constants, stats
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import Site
 from pyhrg.common.units import DEG, DEG_PER_H, DEG_PER_SQRT_H, HOUR, HZ
-from tests.agreement.paper.gyros import TAU, Array, K
+from tests.agreement.paper.gyros import TAU, K
 
 ROWS = np.array(
     [

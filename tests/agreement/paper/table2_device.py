@@ -15,10 +15,11 @@ from pyhrg.bench.bias.bias_test import RUNS
 from pyhrg.bench.bias.position import fixed_position, full_circumference
 from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, read_segments
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG, DEG_PER_H, DEG_PER_SQRT_H
 from pyhrg.device.device import AngleMap, Device
 from pyhrg.device.ready_devices import TABLE2
-from tests.agreement.paper.gyros import Array, K, load_fmu
+from tests.agreement.paper.gyros import K, load_fmu
 from tests.agreement.paper.table2 import NEW, ORIGINAL, Figures
 
 POWER_ONS = 5 * RUNS

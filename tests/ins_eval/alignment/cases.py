@@ -1,7 +1,6 @@
 """Records of standing vehicles with sensor errors, and statistics of alignments."""
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 from scipy.stats import chi2
 
@@ -11,10 +10,9 @@ from ins_eval.common.rotation import mat_from_euler
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.sensor_error_model import AxisConstants, SensorErrorModel
 from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 LATITUDE = 40 * DEG
 POSITION = np.array([LATITUDE, 0.3, 100.0])

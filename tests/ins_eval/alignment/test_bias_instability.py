@@ -2,12 +2,10 @@
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from ins_eval.alignment.bias_instability import correlation_times, mean_variance
+from pyhrg.common.arrays import Array
 from pyhrg.noise.flicker import compute_process_variance, half_integral_response
-
-Array = NDArray[np.float64]
 
 DURATION, INTERVAL = 300.0, 0.25
 COUNT = round(DURATION / INTERVAL)

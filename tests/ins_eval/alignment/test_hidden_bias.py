@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from ins_eval.alignment.analytic import bias_sensitivity, level_and_gyrocompass
 from ins_eval.common import earth
@@ -13,11 +12,10 @@ from ins_eval.common.state import State, position_error
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.imu.increments import Increments
 from tests.ins_eval import theory
-
-Array = NDArray[np.float64]
 
 LATITUDE, BIAS = 40 * DEG, 0.01 * DEG_PER_H
 STILL = 300.0

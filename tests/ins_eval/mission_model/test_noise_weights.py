@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from scipy import stats
 
 from ins_eval.mission_model.noise_weights import (
@@ -14,13 +13,13 @@ from ins_eval.mission_model.noise_weights import (
     compute_noise_covariances,
     factor_covariances,
 )
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 from tests.driving import drive
 
-Array = NDArray[np.float64]
 STEP, BEFORE, STEPS = 0.5, 3, 12
 KEPT = np.array([5, 12])
 

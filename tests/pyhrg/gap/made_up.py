@@ -3,11 +3,9 @@
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.design import Block, Design, Group
-
-Array = NDArray[np.float64]
 
 
 def design_of(

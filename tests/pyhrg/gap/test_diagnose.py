@@ -11,9 +11,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import ARCSEC, DEG, HZ
 from pyhrg.device.device import Device
@@ -30,8 +30,6 @@ from pyhrg.records.campaign import Campaign, CampaignError
 from tests.pyhrg.gap.bench import recorded
 from tests.pyhrg.gap.soundness.conftest import NOMINAL
 from tests.pyhrg.gap.soundness.spoil import Change, at, change_logs, removed
-
-Array = NDArray[np.float64]
 
 FEW = tuple(
     EFFECTS[name]

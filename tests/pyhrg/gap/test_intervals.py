@@ -2,13 +2,12 @@
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.catalogue import EFFECTS
 from pyhrg.gap.findings.verdict import _intervals
 
 AXIS = EFFECTS["damping_anisotropy"]
-Array = NDArray[np.float64]
 
 
 def axis_at(degrees: float, magnitude: float = 1e-6) -> Array:

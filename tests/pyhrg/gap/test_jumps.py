@@ -2,14 +2,12 @@
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.jump import integrate_jump
 from pyhrg.gap.evidence.jump_search import MOMENTS, find_jumps
 from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.whitening.whitening import NoiseModel
-
-Array = NDArray[np.float64]
 
 ROWS = 2000
 TIME = np.arange(1.0, ROWS + 1)

@@ -2,14 +2,11 @@
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from pyhrg.gap.effects.jump import evaluate_step
 from pyhrg.gap.evidence.jump_search import MAX_STEPS, find_steps
 from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.whitening.whitening import NoiseModel
-
-Array = NDArray[np.float64]
 
 ROWS = 2000
 TIME = np.arange(1.0, ROWS + 1)

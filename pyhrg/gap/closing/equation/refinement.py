@@ -9,8 +9,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu
 from pyhrg.gap.closing.equation.proposal import list_coefficients, make_terms
@@ -26,7 +26,6 @@ from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels, replay_sampled
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
 
-Array = NDArray[np.float64]
 Sizes = Mapping[CandidateTerm, Array]
 """(d,) size of each term that can be written, in units of its columns."""
 

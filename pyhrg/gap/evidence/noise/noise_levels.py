@@ -5,14 +5,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
 from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.whitening.whitening import NoiseModel, whiten
 from pyhrg.noise.coefficients import COEFFICIENT_NAMES
-
-Array = NDArray[np.float64]
 
 LEVEL_RANGE = (1e-3, 1e3)
 """Range of an added noise's level over its typical one; its prior is flat in the logarithm between.

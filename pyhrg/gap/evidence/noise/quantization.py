@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.common.units import ARCSEC
 from pyhrg.device.device import Device
@@ -13,8 +12,6 @@ from pyhrg.gap.effects.catalogue import NOISE_EFFECTS, NOISES, NoiseEffect
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise, NoiseHypothesis
 from pyhrg.gap.evidence.noise.unstated_noise import REST_RATE
 from pyhrg.gap.replay.observations import ObservedTest
-
-Array = NDArray[np.float64]
 
 QUANTIZATION = NOISE_EFFECTS["angle_quantisation"]
 MIN_STEP, MAX_STEP = 0.01 * ARCSEC, 10 * ARCSEC

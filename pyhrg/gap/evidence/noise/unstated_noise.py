@@ -5,9 +5,9 @@ from dataclasses import replace
 from itertools import groupby
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import minimize
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_SQRT_H
 from pyhrg.device.device import Device
 from pyhrg.gap.evidence.residuals import is_nominal
@@ -16,8 +16,6 @@ from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.gap.whitening.channel_noise import MIN_ANGLE_NOISE
 from pyhrg.gap.whitening.whitening import NoiseModel, whiten
 from pyhrg.records.campaign import INDEX, CampaignError
-
-Array = NDArray[np.float64]
 
 Stretch = tuple[Array, Array]
 """Consecutive rows at rest: (n, 2 + DRIFT_DEGREE) residual of the angle, rad, and powers of time of

@@ -1,7 +1,6 @@
 """A mission and triads that exist on paper only, with stated seeds."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.mission_model import pattern_drift, signals
 from ins_eval.mission_model.alignment_at_rest import AlignmentAtRest
@@ -12,10 +11,9 @@ from ins_eval.mission_model.triad_block import TriadBlock
 from ins_eval.mission_model.turned_maps import start_maps
 from ins_eval.study.gyros.bench_plan import WARM_RISE
 from ins_eval.study.predictors import prediction_columns
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G
 from pyhrg.noise.coefficients import COEFFICIENT_NAMES
-
-Array = NDArray[np.float64]
 
 SPREAD = np.repeat([0.1 * DEG_PER_H, 20e-6], TERMS)
 """Of a map's coefficients between devices: biases, scale factors."""

@@ -1,13 +1,11 @@
 """Flights of the triads of `cases`, by the linear error model."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.position_errors import compute_position_errors
 from ins_eval.mission_model.triad_block import TriadBlock
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 def errors(triads: TriadBlock, weights: MissionWeights) -> Array:

@@ -2,12 +2,10 @@
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from pyhrg.bench.estimation.angle_fit import AngleFit, Record, compute_largest_inflation, fit_angles
 from pyhrg.bench.estimation.harmonics import fit
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 STEP = 0.1
 TIME = np.arange(400) * STEP

@@ -2,15 +2,12 @@
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from scipy.integrate import quad
 
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import EFFECTS
 from pyhrg.gap.evidence.evidence import MAX_PRIOR_SIZE_SIGMA, find_equivalents, fit
 from tests.pyhrg.gap.made_up import design_of
-
-Array = NDArray[np.float64]
 
 ONE, OTHER, THIRD = (
     EFFECTS[name] for name in ("drive_gain_mismatch", "pickoff_gain_mismatch", "loop_delay")

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import compute_coordinates
@@ -25,7 +25,6 @@ from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel, draw_nois
 from pyhrg.records.campaign import Test
 from tests.pyhrg.records.made_up import made_up_log
 
-Array = NDArray[np.float64]
 BELIEVED = Device(angle_random_walk=3e-4 * DEG_PER_SQRT_H, angle_white_noise=0.036 * ARCSEC)
 SILENT = EFFECTS["g_sensitive_gain"]
 """An effect that these tests can't see; it stands for the catalogue."""

@@ -4,13 +4,11 @@ import re
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.evidence.residual_features import ResidualFeature, find_residual_features
 from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.whitening.whitening import NoiseModel
-
-Array = NDArray[np.float64]
 
 ROWS = 4000
 TESTS = 6

@@ -4,14 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.design import Block, Group
 from pyhrg.gap.findings.localisation import locate_gap
 from tests.pyhrg.gap.made_up import design_of
-
-Array = NDArray[np.float64]
 
 N = 2000
 TIME = np.arange(N) / N

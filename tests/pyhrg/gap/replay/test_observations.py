@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.observations import (
@@ -17,8 +17,6 @@ from pyhrg.gap.replay.observations import (
 from pyhrg.records import Log
 from pyhrg.records.campaign import Test
 from tests.pyhrg.records.made_up import made_up_log
-
-Array = NDArray[np.float64]
 
 
 def observe(log: Log, device: Device | None = None) -> ObservedTest:

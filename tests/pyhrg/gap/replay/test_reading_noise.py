@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.gap.replay.reading_noise import (
     NONE,
@@ -16,8 +16,6 @@ from pyhrg.gap.replay.reading_noise import (
 )
 from pyhrg.records import Log
 from tests.pyhrg.records.made_up import made_up_log
-
-Array = NDArray[np.float64]
 
 ROWS, INTERVAL = 1400, 0.1
 GYRO_NOISE = 0.036 * ARCSEC

@@ -2,12 +2,10 @@
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.gap.replay.table_motion import TableMotion, estimate_table_motion
-
-Array = NDArray[np.float64]
 
 ROWS = 600
 MOVES = (40.3, 150.7, 300.1, 450.55)

@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from scipy.stats import norm
 
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.instruments import estimate_reading_steps, estimate_toggling_step
 from pyhrg.gap.replay.observations import CHANNELS, observe_test
@@ -15,7 +15,6 @@ from pyhrg.gap.whitening.channel_noise import estimate_campaign_noise
 from pyhrg.records.campaign import Test
 from tests.pyhrg.records.made_up import made_up_log
 
-Array = NDArray[np.float64]
 ROWS = 2000
 TRUE = 298.15 + np.interp(np.arange(ROWS), [500, 1500], [0.0, 20.0])
 NOISE = 5e-3

@@ -5,13 +5,12 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.records import COLUMNS, Log
 from pyhrg.records.campaign import Campaign
 
 Change = Callable[[Log], Log]
-Array = NDArray[np.float64]
 
 
 def change_logs(campaign: Campaign, change: Change, *ids: str) -> Campaign:

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC
 from pyhrg.gap.soundness import screen_campaign
 from pyhrg.gap.soundness.glitches import MAX_GLITCH_SHARE, MIN_ROWS, find_glitches
@@ -12,7 +12,6 @@ from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign
 from tests.pyhrg.gap.soundness.spoil import added, change_logs
 
-Array = NDArray[np.float64]
 ROWS = 1000
 ALL = np.ones(ROWS, np.bool_)
 BIG = 30.0

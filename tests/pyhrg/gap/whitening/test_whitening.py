@@ -2,17 +2,15 @@
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from scipy.linalg import cho_solve, cholesky, solve_triangular
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.whitening.whitening import (
     FLICKER_PROCESS_TIMES,
     CorrelatedNoise,
     NoiseModel,
     whiten,
 )
-
-Array = NDArray[np.float64]
 
 
 def integrated_lag(t: Array, tau: float, power: float) -> Array:

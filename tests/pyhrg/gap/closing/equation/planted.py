@@ -4,12 +4,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.challenge.campaigns.course import Course, make_course
 from pyhrg.challenge.campaigns.gyro import Disturbance, TrueGyro
 from pyhrg.challenge.truths.form import find_ideal_pattern_angle
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_H
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
@@ -18,7 +18,6 @@ from pyhrg.records.campaign import Campaign, Test
 from tests.pyhrg.gap.bench import short, stated
 from tests.pyhrg.gap.soundness.conftest import NOMINAL
 
-Array = NDArray[np.float64]
 GAIN, GROWTH = NOMINAL.bryan_factor, 1 / NOMINAL.decay_time
 COS6, SIN6 = 0.6, -0.4
 """Coefficients of the bias, deg/h."""

@@ -18,7 +18,7 @@ from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS
 from pyhrg.gap.evidence.hypothesis import Hypothesis, rank_under_noise
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
-from pyhrg.gap.evidence.noise.noise_search import drop_each_noise, fit_named_noise, fit_noise
+from pyhrg.gap.evidence.noise.noise_search import drop_each_noise, fit_rival_noises
 from pyhrg.gap.evidence.residuals import Removed, compute_residuals, distinct_by_groups
 from pyhrg.gap.whitening.channel_noise import build_angle_noise
 
@@ -97,8 +97,7 @@ def compare_noises(
         without a name those of the catalogue. The known parameters were estimated under another
         noise, so that the residual alone does not decide between these."""
         residuals = compute_residuals(parts, removed, best.channel_noise, nominal, ("gyro_angle",))
-        noise = fit_noise(residuals, stated, noises)
-        named = [fit_named_noise(residuals, stated, noises)] if noise.unnamed else []
+        noise, *named = fit_rival_noises(residuals, stated, noises)
         return [noise, *drop_each_noise(noise, residuals, stated), *named]
 
     while True:

@@ -25,22 +25,23 @@ def fit_noise(
 ) -> NoiseHypothesis:
     """The most probable noise: noises of the catalogue beyond the stated noise, or an unnamed one
     with or without them, from the residual of the output angle in each test."""
-    plain = fit_named_noise(residuals, stated, noises)
+    return fit_rival_noises(residuals, stated, noises)[0]
+
+
+def fit_rival_noises(
+    residuals: Sequence[Residual], stated: NoiseModel, noises: Sequence[NoiseEffect]
+) -> list[NoiseHypothesis]:
+    """The most probable noise, as `fit_noise`; after one with an unnamed noise, that of the
+    catalogue's noises alone."""
+    plain = _assemble(residuals, stated, _find_named(residuals, stated, noises), None)
     bases = [(plain.noise, plain.log_prior)] + ([(stated, 0.0)] if plain.added else [])
     unnamed = fit_unnamed_noise(residuals, bases)
     named = _find_named(residuals, unnamed.add_to(stated), noises)
     rival = _assemble(residuals, stated, named, unnamed)
     log_odds = _log_posterior(residuals, rival) - _log_posterior(residuals, plain)
-    return replace(rival, unnamed=replace(unnamed, log_odds=log_odds)) if log_odds > 0 else plain
-
-
-def fit_named_noise(
-    residuals: Sequence[Residual],
-    stated: NoiseModel,
-    noises: Sequence[NoiseEffect] = NOISES,
-) -> NoiseHypothesis:
-    """The most probable noises of the catalogue beyond the stated noise."""
-    return _assemble(residuals, stated, _find_named(residuals, stated, noises), None)
+    if log_odds <= 0:
+        return [plain]
+    return [replace(rival, unnamed=replace(unnamed, log_odds=log_odds)), plain]
 
 
 def _log_posterior(residuals: Sequence[Residual], hypothesis: NoiseHypothesis) -> float:

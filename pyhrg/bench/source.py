@@ -134,8 +134,7 @@ def _complete_log(test: Test, device: Device) -> Log:
     """
     without = ("table_angle",) if turns(test.log) else ()
     log, notes = add_missing_inputs(test.log, device, without)
-    texts = (note.removeprefix(f"{log.source}: ") for note in notes)
-    return replace(log, exclusions=(*log.exclusions, *texts))
+    return replace(log, exclusions=(*log.exclusions, *notes))
 
 
 def _load_fmus(procedures: Sequence[Procedure], say: Callable[[str], None]) -> dict[str, GyroFmu]:

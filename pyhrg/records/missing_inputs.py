@@ -24,6 +24,12 @@ def turns(log: Log) -> bool:
     return bool(np.any(turned > TURNING_RATE * rows * log.interval))
 
 
+def note_missing_inputs(*fields: str) -> str:
+    """The sentence on input columns that a log lacks."""
+    names = ", ".join(BY_FIELD[field].name for field in fields)
+    return f"{names}: missing, taken as on a gyro at rest"
+
+
 def add_missing_inputs(
     log: Log, nominal: Device, without: tuple[str, ...] = ()
 ) -> tuple[Log, list[str]]:
@@ -41,7 +47,7 @@ def add_missing_inputs(
         if not log.has_values("acceleration_z"):
             raise LogError(f"{log.source}: columns axis_up and accel_z_m_s2 missing; expected one")
         log = replace(log, axis_up=np.clip(np.round(log.acceleration_z / gravity, 2), -1, 1))
-        notes.append(f"{log.source}: axis_up: missing, taken from accel_z_m_s2")
+        notes.append("axis_up: missing, taken from accel_z_m_s2")
     ones = np.ones(len(log.time))
     defaults = {
         "table_angle": 0 * ones,
@@ -57,6 +63,5 @@ def add_missing_inputs(
     missing = [f for f in defaults if f not in without and not log.has_values(f)]
     added: dict[str, Any] = {field: defaults[field] for field in missing}
     if added:
-        names = ", ".join(BY_FIELD[field].name for field in added)
-        notes.append(f"{log.source}: {names}: missing, taken as on a gyro at rest")
+        notes.append(note_missing_inputs(*added))
     return replace(log, **added), notes

@@ -49,7 +49,8 @@ def complete_inputs(log: Log, nominal: Device) -> CompleteInputs:
     A missing column is that of a gyro at rest. Missing rows are filled where the table kept its
     rate and no command changed; elsewhere the log is cut. Outputs of filled rows are NaN.
     """
-    log, notes = add_missing_inputs(log, nominal)
+    log, assumed = add_missing_inputs(log, nominal)
+    notes = [f"{log.source}: {note}" for note in assumed]
     log, missing = _place_on_grid(log)
     cut, trouble = _find_cut(log, missing)
     if trouble:

@@ -11,7 +11,7 @@ from pyhrg.common.reading.files import read_unpacked
 from pyhrg.gap.static_record.terms import ACCELEROMETER, GYRO, Kind
 from pyhrg.records import Log, read_log
 from pyhrg.records.imu import recorded
-from pyhrg.records.missing_inputs import turns
+from pyhrg.records.missing_inputs import note_missing_inputs, turns
 
 MIN_READINGS = 1024
 """Smallest number of readings of a channel; half of them are held out (chosen)."""
@@ -111,9 +111,8 @@ def _take_bench_log(log: Log) -> StaticRecord:
     gaps. The pattern creeps over the gyro's bias map at Earth's rate, so a rate ramp is expected.
     """
     if not (log.has_values("table_angle") or turns(log)):
-        note = "table_angle_deg: missing, taken as on a gyro at rest"
-        at_rest = np.zeros(len(log.time))
-        log = replace(log, table_angle=at_rest, exclusions=(*log.exclusions, note))
+        notes = (*log.exclusions, note_missing_inputs("table_angle"))
+        log = replace(log, table_angle=np.zeros(len(log.time)), exclusions=notes)
     stretch = max(log.stretches("gyro_angle", "table_angle"), key=lambda s: s.stop - s.start)
     angle = (log.gyro_angle - log.table_angle)[stretch]
     temperature = log.temperature[stretch]

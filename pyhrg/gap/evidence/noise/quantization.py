@@ -10,8 +10,8 @@ from pyhrg.common.units import ARCSEC
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import NOISE_EFFECTS, NOISES, NoiseEffect
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise, NoiseHypothesis
-from pyhrg.gap.evidence.noise.unstated_noise import REST_RATE
 from pyhrg.gap.replay.observations import ObservedTest
+from pyhrg.gap.replay.reading_noise import REST_RATE
 
 QUANTIZATION = NOISE_EFFECTS["angle_quantisation"]
 MIN_STEP, MAX_STEP = 0.01 * ARCSEC, 10 * ARCSEC

@@ -12,6 +12,7 @@ from pyhrg.common.units import ARCSEC, DEG_PER_SQRT_H
 from pyhrg.device.device import Device
 from pyhrg.gap.evidence.residuals import is_nominal
 from pyhrg.gap.replay.observations import COMMAND_COLUMNS, ObservedTest
+from pyhrg.gap.replay.reading_noise import REST_RATE
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.gap.whitening.channel_noise import MIN_ANGLE_NOISE
 from pyhrg.gap.whitening.whitening import NoiseModel, whiten
@@ -23,8 +24,6 @@ a drift; (n,) time since the reading before, s."""
 
 MIN_STRETCH_ROWS, MIN_ROWS = 60, 600
 """Rows that a stretch at rest must have, and all stretches together. Chosen."""
-REST_RATE = 1e-4
-"""The turntable is at rest while its rate is below this, rad/s. Chosen."""
 DRIFT_DEGREE = 2
 """Degree of the polynomial that is removed from each stretch: a gap may make any drift. Chosen."""
 NOTE = (

@@ -83,8 +83,7 @@ def compute_whiteness(
     for test, residual in zip(tests, residuals, strict=True):
         rows = np.isfinite(residual)
         steps = np.diff(test.log.time[rows], prepend=0.0)
-        read = test.reading_noise.get("gyro_angle")
-        own = noise if read is None else noise.add_reading_noise(read[rows])
+        own = noise.add_reading_noise(test.read_noise("gyro_angle", rows))
         white = whiten(residual[rows][:, None], steps, own).series[:, 0]
         n, power = len(white), float(white @ white)
         for lag in range(1, min(MAX_LAG, n - 1) + 1):
@@ -106,6 +105,6 @@ def _rms(values: Array) -> float:
 
 def _draw_angle(test: ObservedTest, noise: NoiseModel, generator: np.random.Generator) -> Array:
     """(n,) output angle of noise alone, rad; NaN in rows that are not compared."""
-    own = noise.add_reading_noise(test.reading_noise.get("gyro_angle"))
+    own = noise.add_reading_noise(test.read_noise("gyro_angle"))
     angle = draw_noise(own, len(test.log.time), test.log.interval, generator)
     return np.where(test.rows["gyro_angle"], angle, np.nan)

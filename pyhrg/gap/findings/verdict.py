@@ -7,7 +7,6 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.stats import norm
 
 from pyhrg.common.arrays import Array
 from pyhrg.common.keys import Key
@@ -22,6 +21,7 @@ from pyhrg.gap.evidence.residual_features import ResidualFeature, find_residual_
 from pyhrg.gap.evidence.residuals import compute_residuals
 from pyhrg.gap.findings.diagnosis import Cause, KnownValue, Verdict
 from pyhrg.gap.replay.observations import CHANNELS
+from pyhrg.gap.soundness.fault import compute_beyond_probability
 
 UNEXPLAINED_PROBABILITY = 0.5
 """The verdict is `unexplained` where something outside the catalogue takes part with at least this
@@ -146,7 +146,7 @@ def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
 def _compute_beyond(tolerance: float, size: Array, covariance: Array) -> float:
     """Probability that the length of a departure exceeds the tolerance; normal along it."""
     length = float(np.linalg.norm(size))
-    return float(norm.cdf((length - tolerance) / sigma_along(size, covariance)))
+    return compute_beyond_probability(length - tolerance, sigma_along(size, covariance))
 
 
 def _intervals(effect: Effect, vector: Array, covariance: Array) -> dict[str, tuple[float, float]]:

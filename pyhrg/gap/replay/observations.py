@@ -74,6 +74,11 @@ class ObservedTest:
     transient: Mask
     reading_noise: Mapping[str, Array] = field(default_factory=dict)
 
+    def read_noise(self, channel: str, rows: Mask | None = None) -> Array | None:
+        """Reading noise of a channel in all rows or in some; None where there is none."""
+        levels = self.reading_noise.get(channel)
+        return levels if levels is None or rows is None else levels[rows]
+
     @property
     def log(self) -> Log:
         """Log of the test, with the inputs that are replayed."""

@@ -73,9 +73,16 @@ class Fault:
 
     @property
     def beyond_probability(self) -> float:
-        """Probability that it exceeds its tolerance (docs/methods/verdict.md, Eq. 9)."""
+        """Probability that it exceeds its tolerance."""
         excess = abs(self.value - self.kind.sound) - self.kind.tolerance
-        return float(norm.cdf(excess / self.sigma)) if self.sigma else float(excess > 0)
+        return compute_beyond_probability(excess, self.sigma)
+
+
+def compute_beyond_probability(excess: float, sigma: float) -> float:
+    """Probability that a normal quantity exceeds its tolerance (docs/methods/verdict.md, Eq. 9),
+    from how far it is found beyond it, and its standard deviation; an exact one does or does not.
+    """
+    return float(norm.cdf(excess / sigma)) if sigma else float(excess > 0)
 
 
 @dataclass(frozen=True)

@@ -59,10 +59,9 @@ def import_campaign(mapping: Path | str, out: Path | str | None = None) -> Impor
         out: folder to write the campaign to; not there yet, or empty. None: nothing is written.
 
     Raises:
-        HrgError: the mapping can't be used.
-        HrgError: a file, column or cell is not as the mapping says, or `read_log` would refuse
-            the log. Rows are named by the lines of the laboratory's file.
-        HrgError: there is something in `out`.
+        HrgError: the mapping can't be used; a file, column or cell is not as it says, or `read_log`
+            would refuse the log; there is something in `out`. Rows are named by the lines of the
+            laboratory's file.
         OSError: `out` can't be written.
     """
     place = None if out is None else Path(out)

@@ -1,5 +1,6 @@
 """Shared: the FMU, built once; programs that a test needs."""
 
+import signal
 import zipfile
 from pathlib import Path
 
@@ -14,6 +15,13 @@ from tests.programs import (  # noqa: F401 (hooks of pytest)
     pytest_runtest_setup,
     pytest_terminal_summary,
 )
+
+
+@pytest.fixture(scope="session", autouse=True)
+def interruptible() -> None:
+    """Interruptions reach these processes, also in a script's background job, whose shell ignores
+    them."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="session")

@@ -137,7 +137,7 @@ def _generate_functions(where: Coordinates) -> Functions:
     yield from _generate_rate_functions(where)
     yield from _generate_acceleration_functions(where)
     yield "amplitude", "amplitude", None, where.amplitude
-    yield "amplitude", "amplitude squared", None, where.amplitude**2
+    yield "amplitude", "amplitude squared", None, where.amplitude * (2 + where.amplitude)
     time = where.test.log.time
     yield "time", "time since power-on", None, time / 3600
     for constant in WARM_UP_TIMES:

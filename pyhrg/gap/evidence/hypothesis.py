@@ -24,6 +24,7 @@ from pyhrg.gap.effects.known_parameters import KnownParameters
 from pyhrg.gap.evidence.evidence import Fit
 from pyhrg.gap.evidence.jump_search import find_jumps, find_steps
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
+from pyhrg.gap.evidence.noise.quantization import find_quantization_step
 from pyhrg.gap.evidence.residuals import compute_residuals, distinct_by_groups
 from pyhrg.gap.evidence.search import Ranking, rank_sets
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, estimate_campaign_noise
@@ -182,7 +183,8 @@ def rank_under_noise(
     residuals = [
         compute_residuals(parts, r, channel_noise, nominal, ("gyro_angle",)) for r in removed
     ]
-    if jumps := {jump for r in residuals for jump in (*find_jumps(r), *find_steps(r))}:
+    quantum, _ = find_quantization_step([part.test for part in parts]) or (0.0, 0.0)
+    if jumps := {jump for r in residuals for jump in (*find_jumps(r), *find_steps(r, quantum))}:
         exact = build_design(parts, channel_noise, sorted(jumps, key=lambda jump: jump.words))
         known = KnownParameters(discount_model_error(exact, model_error), tolerances)
         ranking = rank_sets(known.marginal, is_feasible)

@@ -75,19 +75,24 @@ def _powers(r: Residual, times: Array) -> Array:
     )
 
 
-def find_steps(residuals: Sequence[Residual]) -> list[Jump]:
+def find_steps(residuals: Sequence[Residual], quantum: float = 0.0) -> list[Jump]:
     """Candidates: the greatest step alone, the two greatest, and so on, each as steps of the
     pattern and as steps of the output alone (docs/methods/evidence.md, Eq. (15)).
 
-    Only steps that are more probable than not count. There are no candidates where there are more
-    than `MAX_STEPS` of them. Residuals are those of the output angle in each test.
+    Only steps that are more probable than not, and higher than the quantization step of the output,
+    count: the error of quantization itself steps where the angle moves by almost a whole number of
+    quanta a row. There are no candidates where there are more than `MAX_STEPS` of them.
+
+    Args:
+        residuals: of the output angle in each test.
+        quantum: quantization step of the output, rad; 0 for none.
     """
     long = [r for r in residuals if len(r.values) > MIN_ROWS]
     rows = sum(len(r.values) for r in long)
     if not rows:
         return []
     prior = math.log(HALF_UNNAMED_ODDS / rows)
-    steps = [step for r in long for step in _pursue_steps(r, prior)]
+    steps = [step for r in long for step in _pursue_steps(r, prior, quantum)]
     if not 0 < len(steps) <= MAX_STEPS:
         return []
     steps.sort(key=lambda step: -step[0])
@@ -98,9 +103,9 @@ def find_steps(residuals: Sequence[Residual]) -> list[Jump]:
     ]
 
 
-def _pursue_steps(r: Residual, prior: float) -> Iterator[tuple[float, str, float]]:
-    """Steps of a test by orthogonal matching pursuit, the greatest first: decrease of chi-square,
-    test, and time, s."""
+def _pursue_steps(r: Residual, prior: float, quantum: float) -> Iterator[tuple[float, str, float]]:
+    """Steps of a test by orthogonal matching pursuit, the greatest first, as long as they are
+    higher than a quantum: decrease of chi-square, test, and time, s."""
     white, removed = r.white.copy(), np.empty((len(r.white), 0))
     for _ in range(MAX_STEPS + 1):
         best_row = int(np.argmax(_approximate_powers(r, white)))
@@ -111,7 +116,8 @@ def _pursue_steps(r: Residual, prior: float) -> Iterator[tuple[float, str, float
         units = np.divide(columns, norms, out=np.zeros_like(columns), where=norms > 0)
         powers = (white @ units) ** 2
         best = int(np.argmax(powers))
-        if prior + float(log_evidence(powers, 1)[best]) <= 0:
+        is_probable = prior + float(log_evidence(powers, 1)[best]) > 0
+        if not is_probable or abs(white @ units[:, best]) <= quantum * norms[best]:
             return
         yield float(powers[best]), r.test, float(r.times[rows[best]])
         removed = np.column_stack([removed, units[:, best]])

@@ -84,15 +84,18 @@ def rank_sets(design: Design, is_feasible: Callable[[Fit], bool] = lambda fit: T
             fits[key] = fitted, fitted.log_evidence + sum(prior[i] for i in key)
 
     evaluate(frozenset())
-    extended: set[Key] = set()
-    while due := _select_next(fits, extended):
-        extended.update(due)
-        for key in due:
-            for index in key:
-                evaluate(key - {index})
-            if len(key) < MAX_GROUPS:
-                for index in _select_extensions(design, groups, key, prior):
-                    evaluate(key | {index})
+    named = [i for i, group in enumerate(groups) if isinstance(group, Effect)]
+    for allowed in (named, range(len(groups))):
+        extended: set[Key] = set()
+        while due := _select_next(fits, extended):
+            extended.update(due)
+            for key in due:
+                for index in key:
+                    evaluate(key - {index})
+                if len(key) < MAX_GROUPS:
+                    others = [index for index in allowed if index not in key]
+                    for index in _select_extensions(design, groups, key, prior, others):
+                        evaluate(key | {index})
     return _normalize(list(fits.values()))
 
 
@@ -105,9 +108,13 @@ def _select_next(fits: Mapping[Key, tuple[Fit, float]], extended: Collection[Key
 
 
 def _select_extensions(
-    design: Design, groups: Sequence[Group], key: Key, prior: Sequence[float]
+    design: Design,
+    groups: Sequence[Group],
+    key: Key,
+    prior: Sequence[float],
+    others: Collection[int],
 ) -> list[int]:
-    """Indices of the groups that would explain most of a set's residual, the best first."""
+    """Indices of those other groups that would explain most of a set's residual, the best first."""
     gram, projection = design.gram, design.projection
     if key:
         fitted = np.concatenate([design.columns[groups[i]] for i in key])
@@ -115,12 +122,11 @@ def _select_extensions(
         projection = projection - projection[fitted] @ coefficients
         gram = gram - gram[:, fitted] @ coefficients
     scores = {}
-    for index, group in enumerate(groups):
-        if index not in key:
-            where = design.columns[group]
-            own = gram[where[:, None], where]
-            power = _explained_power(own, projection[where], min_free_variance(group))
-            scores[index] = power / 2 + prior[index]
+    for index in others:
+        where = design.columns[groups[index]]
+        own = gram[where[:, None], where]
+        power = _explained_power(own, projection[where], min_free_variance(groups[index]))
+        scores[index] = power / 2 + prior[index]
     return sorted(scores, key=lambda i: -scores[i])[:MAX_EXTENSIONS]
 
 

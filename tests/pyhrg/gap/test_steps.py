@@ -56,6 +56,12 @@ def test_many_are_noise() -> None:
     assert not find_steps([left(1, "loud", [], louder=4.0)])
 
 
+def test_a_step_of_a_quantum_is_none() -> None:
+    stepped = [left(1, "stepped", [1300.0])]
+    assert find_steps(stepped, 0.8 * SIZE)
+    assert not find_steps(stepped, 1.2 * SIZE)
+
+
 def test_too_little_tells_nothing() -> None:
     short = Residual("short", "gyro_angle", np.ones(3), np.ones(3), 1.0, WALKING)
     assert not find_steps([short])

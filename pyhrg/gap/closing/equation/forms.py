@@ -34,7 +34,7 @@ CASE = Coordinate("caseWarmth", ("K",))
 WARMING = Coordinate("warming", ("K_min", "K2_min2"))
 TURN = Coordinate("turnRate", ("deg_s", "deg2_s2", "deg3_s3"))
 COMMANDED = Coordinate("commandedRate", ("deg_s",))
-STRETCH = Coordinate("amplitudeExcess", ("", ""))
+STRETCH = Coordinate("amplitudeExcess", ("",))
 HOURS = Coordinate("hours", ("h",))
 _FORCE_UNITS = ("m_s2", "m2_s4")
 FORCES = {axis: Coordinate(f"force{axis.upper()}", _FORCE_UNITS) for axis in "xyz"}
@@ -197,7 +197,10 @@ _FORMS: tuple[tuple[str, Callable[[Match], tuple[Basis, ...]]], ...] = (
      lambda m: _angle(PATTERN, int(m[1]), _force_power(m[2], m[3]))),
     (r"harmonic (\d+) of the pattern angle, times the amplitude",
      lambda m: _angle(PATTERN, int(m[1]), _power(STRETCH, "amplitude", 1, 1.0))),
-    (r"amplitude( squared|)", lambda m: (_power(STRETCH, "amplitude", _rate_power(m[1]), 1.0),)),
+    ("amplitude", lambda m: (_power(STRETCH, "amplitude", 1, 1.0),)),
+    ("amplitude squared",
+     lambda m: (Basis("amplitude2", "((1 + amplitudeExcess)^2 - 1)",
+                      "amplitudeExcess*(2 + amplitudeExcess)", 1.0, "", (STRETCH.name,)),)),
     ("time since power-on", lambda m: (_power(HOURS, "time", 1, 1.0),)),
     (r"settling in (\d+) s",
      lambda m: (Basis(f"settling_{m[1]}s", f"exp(-t/{m[1]} s)", f"exp(-hours*3600/{m[1]})", 1.0,

@@ -1,8 +1,41 @@
 """Ranking of sets."""
 
+import numpy as np
+
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import DETERMINISTIC
+from pyhrg.gap.effects.design import Design
 from pyhrg.gap.evidence.evidence import Fit
-from pyhrg.gap.evidence.search import Ranking
+from pyhrg.gap.evidence.search import Ranking, rank_sets
+
+ROWS = 4000
+
+
+def test_two_effects_are_found_behind_one_term() -> None:
+    """Beside two large effects, the term alone explains almost what two others do, and one of these
+    alone explains far less."""
+    generator = np.random.default_rng(1)
+    effects = [e for e in DETERMINISTIC if e.size == 1]
+    terms = [CandidateTerm("quadrature_force", "time", f"{i}") for i in range(60)]
+    columns = generator.standard_normal((ROWS, len(effects)))
+    columns[:, 1] = columns[:, 0] + 0.3 * columns[:, 1]
+    columns /= np.linalg.norm(columns, axis=0)
+    small = 20 * (columns[:, 0] - columns[:, 1]) / np.linalg.norm(columns[:, 0] - columns[:, 1])
+    large = 500 * (columns[:, 2] + columns[:, 3])
+    others = generator.standard_normal((ROWS, len(terms))) / np.sqrt(ROWS)
+    others[:, 0] = small / 20 + 0.3 * others[:, 0]
+    all_columns = np.column_stack([columns, others / np.linalg.norm(others, axis=0)])
+    residual = small + large + generator.standard_normal(ROWS)
+    groups = {group: np.array([i]) for i, group in enumerate((*effects, *terms))}
+    design = Design(
+        all_columns.T @ all_columns,
+        all_columns.T @ residual,
+        float(residual @ residual),
+        groups,
+        np.ones(len(groups)),
+        (),
+    )
+    assert set(rank_sets(design).best.groups) == set(effects[:4])
 
 
 def test_groups_come_in_the_order_of_their_sets() -> None:

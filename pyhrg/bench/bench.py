@@ -181,18 +181,19 @@ def record_rows(
     held: Mapping[str, Array],
     step: float,
     means: Sequence[str] = tuple(OUTPUTS_AVERAGED),
+    at_end: Mapping[str, str] = OUTPUTS_AT_END,
 ) -> dict[str, Array]:
     """Outputs of a gyro as a log has them: (n,) each, by field, SI.
 
     The amplitude is that of one control period before the end of each row, as the electronics know
     it. `moving` are (n, m) inputs in each of a row's m communication steps of `step` seconds, by
     the FMU's names, SI; `held` are (n,) inputs by their names in a programme, SI; `means` are
-    fields that are averaged over each row.
+    fields that are averaged over each row, `at_end` the FMU's names of others.
     """
     commands = {HELD_INPUTS[name]: values for name, values in held.items()}
     averaged = [OUTPUTS_AVERAGED[name] for name in means]
-    ends, rows = gyro.record(moving, commands, step, list(OUTPUTS_AT_END.values()), averaged)
-    fields = dict(zip((*OUTPUTS_AT_END, *means), [*ends.T, *rows.T], strict=True))
+    ends, rows = gyro.record(moving, commands, step, list(at_end.values()), averaged)
+    fields = dict(zip((*at_end, *means), [*ends.T, *rows.T], strict=True))
     change = np.diff(fields["amplitude"], prepend=fields["amplitude"][0])
     interval = step * next(iter(moving.values())).shape[1]
     fields["amplitude"] = np.asarray(fields["amplitude"] - change * CONTROL_PERIOD / interval)

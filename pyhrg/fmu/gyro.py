@@ -6,6 +6,7 @@ from types import TracebackType
 from pyhrg.common.arrays import Array
 from pyhrg.fmu.archive import GyroError
 from pyhrg.fmu.instance import Instance
+from pyhrg.fmu.loops import record
 from pyhrg.fmu.rows import Layout, Rows, arrange_rows
 
 CHUNK = 20_000
@@ -83,14 +84,14 @@ class Gyro:
 
     def fill(self, layout: Layout, rows: Rows) -> None:
         """Record rows that are arranged already; see `record`."""
-        component, loop = self.instance.slave.component, self.instance.loop
+        component, functions = self.instance.slave.component, self.instance.functions
         n, steps = rows.moving.shape[:2]
         part_length = max(1, CHUNK // steps)
         for first in range(0, n, part_length):
             self.check_stop()
             part = slice(first, min(first + part_length, n))
             begin = self.time + first * steps * layout.step
-            done = loop(component, begin, *layout, *rows.take(part))
+            done = record(functions, component, begin, *layout, *rows.take(part))
             if done != part.stop - part.start:
                 raise GyroError(self.instance.explain(f"row {first + done} of {n} failed"))
         self.time += layout.step * steps * n

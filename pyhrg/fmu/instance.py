@@ -6,7 +6,7 @@ from typing import Any
 from fmpy.fmi2 import FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 
 from pyhrg.fmu.archive import Archive, GyroError
-from pyhrg.fmu.loops import compile_loop
+from pyhrg.fmu.loops import find_functions
 
 
 class Instance:
@@ -20,7 +20,7 @@ class Instance:
             modelIdentifier=archive.description.coSimulation.modelIdentifier,
             instanceName="gyro",
         )
-        self.loop = compile_loop(self.slave.dll._name)
+        self.functions = find_functions(self.slave.dll._name)
         self._messages: list[str] = []
         messages = self._messages  # not self: the slave holds what it calls
 

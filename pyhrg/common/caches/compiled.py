@@ -78,7 +78,8 @@ class _CheckedFile(caching.IndexDataCacheFile):
 def compile_loop(
     function: Callable[..., Any] | None = None, *, inline: Literal["never", "always"] = "never"
 ) -> Any:
-    """Decorator: `numba.njit`, cached in `cache_folder`, or not at all if that is not usable.
+    """Decorator: `numba.njit`, cached in `cache_folder`, or not at all if that is not usable. The
+    function runs without Python's lock.
 
     Numba's own place, beside the source file, would serve stale code after a change elsewhere.
     `inline` is numba's.
@@ -86,11 +87,11 @@ def compile_loop(
     if function is None:
         return lambda function: compile_loop(function, inline=inline)
     if not is_cache_usable():
-        return numba.njit(function, inline=inline)
+        return numba.njit(function, nogil=True, inline=inline)
     before = _SETTINGS.CACHE_DIR
     _SETTINGS.CACHE_DIR = str(cache_folder())
     try:
-        compiled: Any = numba.njit(cache=True, inline=inline)(function)
+        compiled: Any = numba.njit(cache=True, nogil=True, inline=inline)(function)
     finally:
         _SETTINGS.CACHE_DIR = before
     compiled._cache._cache_file.__class__ = _CheckedFile

@@ -77,8 +77,9 @@ class Coordinates:
     table_rate: mean over the row, rad/s.
     case, resonator: temperatures above the reference, K.
     case_rate: smoothed slope of the case's temperature, K/s.
-    amplitude: relative departure from the nominal amplitude; the commanded one, or that of the
-        replay while the drive is off.
+    level: amplitude of the replay over the nominal one.
+    amplitude: relative departure from the nominal amplitude; the commanded one, or while the drive
+        is off that of the replay's energy: quadrature grows then.
     growth_rate: that the drive gives, of the replay, 1/s; 0 while the drive is off.
     quadrature_force: of the replay.
     """
@@ -90,6 +91,7 @@ class Coordinates:
     case: Array
     resonator: Array
     case_rate: Array
+    level: Array
     amplitude: Array
     growth_rate: Array
     quadrature_force: Array
@@ -107,6 +109,7 @@ def compute_coordinates(
     thermal lag, reference temperature and amplitude."""
     log = test.log
     is_driven = log.drive_on > 0
+    energetic = np.hypot(replay["amplitude"], replay.get("quadrature", 0.0))
     case = test.inputs.temperatures - nominal.reference_temperature
     resonator = _follow_with_lag(case, nominal.thermal_lag / log.interval, 0.0)
     return Coordinates(
@@ -117,7 +120,8 @@ def compute_coordinates(
         case[1:],
         resonator[1:],
         _compute_slope(case, log.interval)[1:],
-        np.where(is_driven, log.amplitude_setpoint, replay["amplitude"]) / nominal.amplitude - 1,
+        replay["amplitude"] / nominal.amplitude,
+        np.where(is_driven, log.amplitude_setpoint, energetic) / nominal.amplitude - 1,
         np.where(is_driven, replay["amplitude_force"], 0.0),
         replay["quadrature_force"],
     )

@@ -246,6 +246,18 @@ def discount_model_error(design: Design, model_error: Mapping[TestChannel, float
     return _assemble(design.columns, blocks)
 
 
+def measure_power(design: Design, sizes: Sizes) -> dict[TestChannel, float]:
+    """Chi-square of what groups of these sizes make in each channel of each test."""
+    all_sizes = np.zeros(len(design.projection))
+    for group, size in sizes.items():
+        all_sizes[design.columns[group]] = size
+    powers = {}
+    for block in design.blocks:
+        own = all_sizes[block.columns]
+        powers[block.test, block.channel] = float(own @ block.gram[:-1, :-1] @ own)
+    return powers
+
+
 def compute_excess_power(
     parts: Sequence[LinearTest], noise: CampaignNoise
 ) -> dict[TestChannel, float]:

@@ -125,7 +125,7 @@ def _build_free_decay(where: Coordinates) -> Columns:
     """What damping that follows the amplitude makes of the amplitude while the drive is off."""
     log = where.test.log
     free = (log.drive_on <= 0)[:, None] * log.interval
-    level = 1 + where.amplitude[:, None]
+    level = where.level[:, None]
     return [
         (_make_term("amplitude_force", "amplitude", function), -level * np.cumsum(free * block, 0))
         for coordinate, function, _, block in where.functions

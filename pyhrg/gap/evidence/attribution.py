@@ -15,12 +15,25 @@ from pyhrg.fmu import GyroError
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue, Effect
 from pyhrg.gap.effects.design import Design, Group, LinearTest, compute_excess_power
 from pyhrg.gap.effects.sensitivities import compute_sensitivities, linearize_test
-from pyhrg.gap.evidence.hypothesis import Hypothesis, estimate_nominal_noise, rank_under_noise
+from pyhrg.gap.evidence.hypothesis import (
+    NO_ERROR,
+    Hypothesis,
+    TermError,
+    estimate_nominal_noise,
+    rank_under_noise,
+)
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
 from pyhrg.gap.evidence.posterior import Posterior, compare_noises
 from pyhrg.gap.evidence.search import Ranking
-from pyhrg.gap.evidence.step import LINEARIZATION_ERROR, go_halfway, measure_step, move_gyro
+from pyhrg.gap.evidence.step import (
+    LINEARIZATION_ERROR,
+    NEGLIGIBLE_CHI2,
+    allow_term_error,
+    go_halfway,
+    measure_step,
+    move_gyro,
+)
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
@@ -36,8 +49,6 @@ MAX_HALVINGS = 8
 LINEARIZATION_DECAY = 4.0
 """Factor by which the allowed linearization error falls each time that the search returns to a set
 that it had left. Chosen."""
-NEGLIGIBLE_CHI2 = 1.0
-"""Linearization error, as chi-square, that counts as zero: the power of a row's noise. Chosen."""
 LINEAR_DISTANCE = math.sqrt(NEGLIGIBLE_CHI2 / LINEARIZATION_ERROR)
 """Mahalanobis length of a step with a negligible linearization error: 32 sigma. Derived."""
 MAX_ROUNDS = 20
@@ -127,6 +138,8 @@ class _Iteration:
     _differentiated_at: gyro at which all sensitivities were taken last.
     _linearization_error: allowed linearization error, as chi-square.
     _error_limit: upper limit of the next one.
+    _term_error: linearization error of the last best set's candidate terms, which are not simulated
+        here.
     _visited_sets: most probable set of each round so far.
     _compared_groups: set of effects for which the noises were compared last.
     """
@@ -143,6 +156,7 @@ class _Iteration:
         self._to_differentiate: Collection[Effect] = catalogue.parameters
         self._differentiated_at = nominal
         self._linearization_error = self._error_limit = math.inf
+        self._term_error: TermError = NO_ERROR
         self._visited_sets: list[frozenset[Group]] = []
         self._compared_groups: tuple[Group, ...] | None = None
         self.device = nominal
@@ -191,11 +205,11 @@ class _Iteration:
         if self._linearization_error == math.inf:
             excess = compute_excess_power(parts, estimate_nominal_noise(nominal, parts))
             self._linearization_error = LINEARIZATION_ERROR * sum(excess.values())
-        hypothesis = rank_under_noise(self.noise, nominal, parts, self._linearization_error)
+        hypothesis = self._rank()
         length = self.step_length(hypothesis)
         if self._linearization_error and length < LINEAR_DISTANCE:
             self._linearization_error = 0.0
-            hypothesis = rank_under_noise(self.noise, nominal, parts)
+            hypothesis = self._rank()
         if self._linearization_error:
             self._allow_linearization_error(LINEARIZATION_ERROR * length**2, hypothesis)
             self.posterior = Posterior((hypothesis,), (1.0,))
@@ -203,10 +217,22 @@ class _Iteration:
             others = self.posterior.hypotheses[1:]
             self.posterior = replace(self.posterior, hypotheses=(hypothesis, *others))
         else:
-            self.posterior = compare_noises(hypothesis, nominal, parts, self._catalogue.noises)
+            noises = self._catalogue.noises
+            self.posterior = compare_noises(hypothesis, nominal, parts, noises, self._term_error)
             is_near = self.step_length(hypothesis) < LINEAR_DISTANCE
             self._compared_groups = self.posterior.best.ranking.best.groups if is_near else None
         return self.posterior.best
+
+    def _rank(self) -> Hypothesis:
+        """Sets under the present noise. Where large terms turn up first, the ranking is repeated:
+        what their linear responses miss must not be read as other terms."""
+        nominal, parts, error = self._nominal, self.parts, self._linearization_error
+        hypothesis = rank_under_noise(self.noise, nominal, parts, error, self._term_error)
+        is_new = not self._term_error
+        self._term_error = allow_term_error(hypothesis)
+        if is_new and self._term_error and not error:
+            hypothesis = rank_under_noise(self.noise, nominal, parts, error, self._term_error)
+        return hypothesis
 
     def _allow_linearization_error(self, chi2: float, hypothesis: Hypothesis) -> None:
         """Allow this error. Where the search returns to a set that it had left, it may alternate

@@ -34,6 +34,9 @@ MODEL_ERROR_POWER = 1e-10
 Derived: two simulators of the same physics, written independently, agree to 1e-5 of a response."""
 
 
+TermError = Mapping[TestChannel, float]
+"""Chi-square that candidate terms may get wrong in a channel of a test (Eq. (10)); 0 elsewhere."""
+NO_ERROR: TermError = {}
 SIGNIFICANT_SIGMA = 3.0
 """Departure of a known parameter, in its standard deviation, above which it counts as off. Chosen:
 with 15 parameters that are right, one campaign in 25 has a false departure."""
@@ -159,6 +162,7 @@ def rank_under_noise(
     nominal: Device,
     parts: Sequence[LinearTest],
     linearization_error: float = 0.0,
+    term_error: TermError = NO_ERROR,
 ) -> Hypothesis:
     """Rank sets of effects and candidate terms under one noise of the output angle.
 
@@ -167,7 +171,8 @@ def rank_under_noise(
     residual are ranked too, and infeasible sizes are refused.
     """
     nominal_noise = estimate_nominal_noise(nominal, parts)
-    model_error = model_error_power(compute_excess_power(parts, nominal_noise))
+    response = model_error_power(compute_excess_power(parts, nominal_noise))
+    model_error = {w: power + term_error.get(w, 0.0) for w, power in response.items()}
     channel_noise = replace(nominal_noise, angle=noise.noise)
     exact = build_design(parts, channel_noise)
     tolerances = _list_tolerances(nominal, parts)

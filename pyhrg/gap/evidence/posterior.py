@@ -15,7 +15,7 @@ from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import NoiseEffect
 from pyhrg.gap.effects.design import Group, LinearTest
 from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS
-from pyhrg.gap.evidence.hypothesis import Hypothesis, rank_under_noise
+from pyhrg.gap.evidence.hypothesis import NO_ERROR, Hypothesis, TermError, rank_under_noise
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
 from pyhrg.gap.evidence.noise.noise_search import drop_each_noise, fit_rival_noises
@@ -80,6 +80,7 @@ def compare_noises(
     nominal: Device,
     parts: Sequence[LinearTest],
     noises: Sequence[NoiseEffect],
+    term_error: TermError = NO_ERROR,
 ) -> Posterior:
     """Compare a hypothesis with others that have another noise of the output angle. The
     linearization error is negligible around its gyro.
@@ -111,7 +112,7 @@ def compare_noises(
         for noise in [noise for removed in due for noise in fit_noises(removed)]:
             known = by_kind.get(noise.kind)
             if known is None or not are_equal(known.noise.noise, noise.noise):
-                rival = rank_under_noise(noise, nominal, parts)
+                rival = rank_under_noise(noise, nominal, parts, term_error=term_error)
                 by_kind[noise.kind] = max(known or rival, rival, key=_LOG_POSTERIOR)
         best = max(by_kind.values(), key=_LOG_POSTERIOR)
     order = sorted(by_kind.values(), key=_LOG_POSTERIOR, reverse=True)

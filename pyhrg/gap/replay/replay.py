@@ -9,6 +9,7 @@ import numpy as np
 
 from pyhrg.bench.bench import (
     LOOP_OUTPUTS,
+    OUTPUTS_AT_END,
     compute_earth_rate,
     compute_step_middles,
     interpolate_rows,
@@ -30,6 +31,7 @@ MIN_READINGS = 10
 """Fewest readings from which an instrument's noise is estimated. Chosen."""
 ANGLES = ("gyro_angle", "wave_angle")
 """Fields of a log that are read at the end of a row."""
+READ_AT_END = {**OUTPUTS_AT_END, "quadrature": "quadrature"}
 CLOCK_FIELDS = ("clock_latency", "clock_rate")
 """Fields of a device that state by how much later angles are read."""
 STEP_ROUNDING = 1e-9
@@ -120,7 +122,7 @@ def replay_inputs(
     fmu: GyroFmu, device: Device, inputs: ReplayInputs, step: float
 ) -> dict[str, Array]:
     """Noise-free outputs of the simulated gyro for a log's inputs, (n,) SI by field of a log:
-    angles, amplitude, forces and frequency.
+    angles, amplitude, forces and frequency; and `quadrature`, the quadrature amplitude.
 
     The FMU is `HRG`, or `HRGSlow` for quasi-steady loops. The longest communication step, s, is
     shortened to a whole fraction of a row. A `GyroError` where the FMU refuses parameters or
@@ -149,7 +151,7 @@ def replay_inputs(
     late = device.clock_latency + device.clock_rate * inputs.log.time
     turned = device.bryan_factor * float(np.mean(late * inputs.log.virtual_rotation))
     with fmu.power_on(parameters, seed=0, start_angle=inputs.start_angle - turned) as on:
-        rows = record_rows(on, varying, held, step, LOOP_OUTPUTS)
+        rows = record_rows(on, varying, held, step, LOOP_OUTPUTS, READ_AT_END)
     change = read_change(rows, Device(), device, inputs.log)
     return {name: values + change[name] for name, values in rows.items()}
 

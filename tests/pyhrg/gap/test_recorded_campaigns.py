@@ -37,6 +37,18 @@ def test_the_truth_is_named(simulation: Simulation, recorded_campaign: Path, num
     assert held.after <= WIDER * held.floor_95[1]
 
 
+def test_a_large_term_stands_alone(simulation: Simulation, recorded_campaign: Path) -> None:
+    """Damping that goes with the square of the amplitude, 1 % of it: 10 000 standard deviations.
+    What the linear response misses of it is not read as other terms."""
+    folder = recorded_campaign.parent / "lab-12"
+    nominal = campaign.read_campaign(folder).nominal
+    (term,) = diagnose(folder, simulation=simulation).diagnosis.terms
+    assert (term.place, term.function) == ("damping", "amplitude squared")
+    low, high = term.interval_95["damping_amplitude2_per_s"]
+    assert low < 0.01 / nominal["decay_time_s"] < high
+    assert high - low < 1e-2 * low
+
+
 def test_lost_words_and_a_coarse_thermometer_make_no_gap(
     simulation: Simulation, recorded_campaign: Path
 ) -> None:

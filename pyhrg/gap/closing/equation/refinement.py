@@ -19,9 +19,10 @@ from pyhrg.gap.effects.catalogue import NoiseEffect
 from pyhrg.gap.effects.design import LinearTest, whiten_rows
 from pyhrg.gap.effects.sensitivities import linearize_test
 from pyhrg.gap.effects.term_columns import build_term_columns
-from pyhrg.gap.evidence.attribution import NEGLIGIBLE_CHI2, Attribution
-from pyhrg.gap.evidence.hypothesis import rank_under_noise
+from pyhrg.gap.evidence.attribution import Attribution
+from pyhrg.gap.evidence.hypothesis import TermError, rank_under_noise
 from pyhrg.gap.evidence.posterior import Posterior, compare_noises
+from pyhrg.gap.evidence.step import NEGLIGIBLE_CHI2, allow_term_error
 from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels, replay_sampled
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
@@ -43,8 +44,9 @@ def refine_terms(
     the terms stay. A search that did not converge is left as it is."""
     first = attribution.parts
     without: dict[int, ChannelValues] = {}
+    simulated, used = None, allow_term_error(attribution.posterior.best)
     for _ in range(MAX_ROUNDS):
-        sizes = list_sizes(attribution.posterior)
+        best, sizes = attribution.posterior.best, list_sizes(attribution.posterior)
         if not sizes or not attribution.settled:
             break
         fmu = load_closed_fmu(attribution.device, make_terms(attribution.posterior, list(sizes)))
@@ -56,11 +58,15 @@ def refine_terms(
             on, off = replay_sampled(fmu, part.device, part.test.inputs), without[i]
             answers = add_channels(part.simulated, {name: on[name] - off[name] for name in off})
             parts[i] = _linearize(simulation, attribution.nominal, part, answers, sizes)
-        if _measure_change(attribution, parts, sizes) < NEGLIGIBLE_CHI2:
+        is_same = _measure_change(attribution, parts, sizes) < NEGLIGIBLE_CHI2
+        error = allow_term_error(best, sizes if is_same else simulated)
+        if is_same and error.keys() == used.keys():
             break
-        attribution = _search_around(attribution, tuple(parts), noises)
-        if _have_converged(attribution.posterior, sizes):
+        attribution = _search_around(attribution, tuple(parts), noises, error)
+        left = allow_term_error(attribution.posterior.best, sizes)
+        if left.keys() == error.keys() and _have_converged(attribution.posterior, sizes):
             break
+        simulated, used = sizes, error
     return attribution
 
 
@@ -87,12 +93,15 @@ def find_moved_tests(parts: Sequence[LinearTest], sizes: Sizes, noise: CampaignN
 
 
 def _search_around(
-    attribution: Attribution, parts: tuple[LinearTest, ...], noises: Sequence[NoiseEffect]
+    attribution: Attribution,
+    parts: tuple[LinearTest, ...],
+    noises: Sequence[NoiseEffect],
+    error: TermError,
 ) -> Attribution:
     """The search with newly linearized tests."""
     nominal = attribution.nominal
-    first = rank_under_noise(attribution.posterior.best.noise, nominal, parts)
-    posterior = compare_noises(first, nominal, parts, noises)
+    first = rank_under_noise(attribution.posterior.best.noise, nominal, parts, term_error=error)
+    posterior = compare_noises(first, nominal, parts, noises, error)
     return replace(attribution, parts=parts, posterior=posterior)
 
 

@@ -63,15 +63,19 @@ def test_a_term_explains_an_effect(
 
 
 def test_the_amplitude_coordinate_of_a_free_pattern_is_simulated() -> None:
-    """With the drive on it is the commanded amplitude. The logged one is not used."""
+    """With the drive on it is the commanded amplitude. The logged one is not used. A free pattern
+    becomes an ellipse by its frequency split: its energy counts."""
     amplitude = np.exp(-np.clip(np.arange(100) - 50, 0, None) / 400) + 1e-6
+    quadrature = np.linspace(0.0, 0.3, 100)
     log = replace(made_up_log(100), drive_on=(np.arange(100) < 50) * 1.0)
     observed = observe_test(Test("test", "ring_down", "fit", log), NOMINAL)
     nothing = np.zeros(100)
     replay = {"wave_angle": nothing, "amplitude_force": nothing, "quadrature_force": nothing}
-    where = compute_coordinates(observed, {**replay, "amplitude": amplitude}, NOMINAL)
+    orbit = {"amplitude": amplitude, "quadrature": quadrature}
+    where = compute_coordinates(observed, {**replay, **orbit}, NOMINAL)
     columns = {
         term.function: block for term, block in build_term_columns(where, "quadrature_force")
     }
-    expected = np.where(np.arange(100) < 50, 0.0, amplitude - 1)
-    np.testing.assert_array_equal(columns["amplitude"][:, 0], expected)
+    expected = np.where(np.arange(100) < 50, 1.0, np.hypot(amplitude, quadrature))
+    np.testing.assert_allclose(columns["amplitude"][:, 0], expected - 1, atol=1e-15)
+    np.testing.assert_allclose(columns["amplitude squared"][:, 0], expected**2 - 1, atol=1e-15)

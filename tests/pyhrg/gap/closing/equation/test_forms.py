@@ -52,6 +52,7 @@ def test_an_expression_gives_its_columns(error_free: Campaign, test_id: str) -> 
         "amplitude": np.full(n, 0.9),
         "amplitude_force": np.full(n, 1 / 450),
         "quadrature_force": np.zeros(n),
+        "quadrature": np.full(n, 0.1),
     }
     where = compute_coordinates(observed, replay, NOMINAL)
     for channel in ("amplitude_force", "gyro_angle"):

@@ -22,7 +22,11 @@ from tests.fuzzing.runner import find_troubles
 from tests.fuzzing.samples import read_all
 
 BATCH = 1_000_000
-RUNS = [(2, "HRG", 1), (3, "HRG", 1), (3, "HRGSlow", 5), (3, "HRGCarrier", 100)]
+RUNS = [
+    (f, root, share)
+    for root, share in (("HRG", 1), ("HRGSlow", 5), ("HRGCarrier", 100))
+    for f in (2, 3)
+]
 
 
 def fuzz_calls(calls: int = 5_000_000, seed: int = 1) -> None:

@@ -1,6 +1,7 @@
 """The bench's front door: list its tests, run one or several, on a simulated gyro or on records."""
 
 import difflib
+import math
 import shutil
 from collections.abc import Mapping, Sequence
 from contextlib import closing
@@ -26,7 +27,7 @@ from pyhrg.bench.reporting.result import (
 from pyhrg.bench.source import Source, open_records, prepare_simulation
 from pyhrg.bench.store import Store
 from pyhrg.common.arguments import check_seed, choose_workers
-from pyhrg.common.errors import HrgError
+from pyhrg.common.errors import HrgError, quote
 from pyhrg.common.made_by import check_identity
 from pyhrg.device.device import Device
 from pyhrg.records.campaign import Campaign
@@ -233,10 +234,12 @@ def _check_plan(plan: Mapping[str, float], procedures: Sequence[Procedure], reco
         owners = [p.name for p in catalogue.PROCEDURES if name in (o.name for o in p.options)]
         if recorded or name not in kinds:
             place = f"only with the simulated test {owners[0]}" if owners else "no such argument"
-            raise HrgError(f"{name}: found {value!r}, expected {place}")
+            raise HrgError(f"{name}: found {quote(value)}, expected {place}")
         if not isinstance(value, Integral if kinds[name] is int else Real):
             number = "a whole number" if kinds[name] is int else "a number"
-            raise HrgError(f"{name}: found {value!r}, expected {number}")
+            raise HrgError(f"{name}: found {quote(value)}, expected {number}")
+        if not math.isfinite(value):
+            raise HrgError(f"{name}: found {value:g}, expected a finite number")
 
 
 def _check_places(out: Path, procedures: Sequence[Procedure]) -> None:

@@ -82,7 +82,10 @@ def prepare_simulation(
     if isinstance(device, Device):
         gyro, place = device, device.name
     else:
-        gyro, place = ready_devices.load_device(device or DEFAULT_DEVICE), str(device)
+        gyro, place = (
+            ready_devices.load_device(DEFAULT_DEVICE if device is None else device),
+            str(device),
+        )
     fmus = _load_fmus(procedures, progress.say)
     _check_model_names(gyro, fmus, place)
     threads = choose_workers(workers)

@@ -5,6 +5,9 @@ from numbers import Integral
 
 from pyhrg.common.errors import HrgError, quote
 
+MOST_WORKERS = 1024
+"""Largest number of workers. Chosen: more than any machine has cores."""
+
 
 def check_number(name: str, value: float, low: float, high: float) -> float:
     """The number, if it is finite and between the bounds, ends included."""
@@ -33,8 +36,9 @@ def choose_workers(workers: int | None) -> int:
     """Number of workers: the given one, or as many as this process has cores."""
     if workers is None:
         return count_cores()
-    if not isinstance(workers, Integral) or workers < 1:
-        raise HrgError(f"workers: found {workers!r}, expected a whole number from 1")
+    if not isinstance(workers, Integral) or not 1 <= workers <= MOST_WORKERS:
+        expected = f"expected a whole number from 1 to {MOST_WORKERS}"
+        raise HrgError(f"workers: found {quote(workers)}, {expected}")
     return int(workers)
 
 

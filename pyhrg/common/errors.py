@@ -21,9 +21,8 @@ class HrgError(Exception):
 def fold_line(text: str) -> str:
     """A text as one line of at most `LONGEST_MESSAGE` printable characters."""
     line = _shorten(" ".join(text.splitlines()), LONGEST_MESSAGE)
-    return "".join(
-        c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in line
-    )
+    shown = (c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in line)
+    return _shorten("".join(shown), LONGEST_MESSAGE)
 
 
 def quote(value: object) -> str:

@@ -31,7 +31,7 @@ from pyhrg.gap.evidence.residuals import compute_residuals
 from pyhrg.gap.findings import diagnosis as diagnosis_file
 from pyhrg.gap.findings import verdict as verdicts
 from pyhrg.gap.findings.diagnosis import Diagnosis, Leftover, Verdict
-from pyhrg.gap.findings.faults import list_fault_causes, list_tolerated_faults
+from pyhrg.gap.findings.faults import list_fault_causes, list_ripples, list_tolerated_faults
 from pyhrg.gap.findings.localisation import locate_gap
 from pyhrg.gap.findings.materiality import IMMATERIAL, measure_leftover
 from pyhrg.gap.findings.quantity import measure_sizes
@@ -241,10 +241,11 @@ def _summarize(
     before, after = ([of["gyro_angle"] for of in r] for r in (closing.before, closing.after))
     gap = compute_gap_figures(prepared.tests, before, after, attribution.noise.noise)
     left = measure_leftover(attribution, gap)
+    faults = (*prepared.faults, *list_ripples(attribution.ranking.best))
     verdict, causes, unknown_probability = verdicts.reach_verdict(
         attribution,
         catalogue.effects,
-        list_fault_causes(prepared.faults),
+        list_fault_causes(faults),
         features,
         left.exceeds(bound),
     )
@@ -270,7 +271,7 @@ def _summarize(
         settled=attribution.settled,
         within_tolerance=(
             *verdicts.list_known_values(attribution),
-            *list_tolerated_faults(prepared.faults),
+            *list_tolerated_faults(faults),
         ),
         left=left,
         bound=bound,

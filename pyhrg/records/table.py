@@ -1,6 +1,5 @@
 """A log's file as a table of numbers: CSV, gzipped or not, every field checked."""
 
-import io
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -9,7 +8,7 @@ from numpy.typing import NDArray
 
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import quote
-from pyhrg.common.reading.csv_rows import parse_csv
+from pyhrg.common.reading.csv_rows import iterate_lines, parse_csv
 from pyhrg.common.reading.files import decode, read_unpacked
 from pyhrg.records.columns import BY_FIELD, COLUMNS, Column, LogError, find_mislabelled_column
 
@@ -109,7 +108,7 @@ def _parse_plain(text: str, header: list[str]) -> Numbers | None:
     if "\n\n" in text or "\n\r" in text or not text.partition("\n")[2].strip():
         return None
     try:
-        table = np.loadtxt(io.StringIO(text), delimiter=",", comments=None, skiprows=1, ndmin=2)
+        table = np.loadtxt(iterate_lines(text), delimiter=",", comments=None, skiprows=1, ndmin=2)
     except ValueError:
         return None
     if table.shape[1] != len(header) or not len(table):

@@ -24,12 +24,16 @@ FORMS_MODULE = "pyhrg.challenge.truths.outside"
 
 @dataclass(frozen=True)
 class Form:
-    """A form of error that the catalogue lacks; coordinate: in which it shows, by the name of the
-    record format."""
+    """A form of error that the catalogue lacks.
+
+    coordinate: in which it shows, by the name of the record format.
+    stand_ins: names of the record format that it may be given.
+    """
 
     name: str
     coordinate: str
     disturbance: Disturb
+    stand_ins: tuple[str, ...] = ()
 
 
 def load_forms() -> tuple[Form, ...]:

@@ -69,7 +69,7 @@ def encoder(order: int) -> Form:
 
         return Disturbance(shown=change)
 
-    return Form(f"encoder_harmonic_{order}", "table_angle", disturb)
+    return Form(f"encoder_harmonic_{order}", "table_angle", disturb, ("table_ripple",))
 
 
 # Temperature

@@ -52,7 +52,8 @@ class Truth:
     strengths: strength of each effect alone, or of the form beyond the catalogue, sigmas.
     form: name of the form outside the catalogue.
     coordinate: in which this form shows.
-    stand_ins: effects that these tests can't separate from the effect that was left out.
+    stand_ins: effects that these tests can't separate from the effect that was left out; names of
+        the bench's faults that a form outside the catalogue may be given.
     holdout_noise_arcsec: rms of the true noise in the output angle of the held-out tests.
     beyond: known parameters that are off by more than their tolerance.
     """
@@ -197,7 +198,8 @@ class Drawing:
         size = solve_size(measure, sigmas)
         if size is None:
             return None
-        truth = Truth("outside", (), {}, (sigmas,), form.name, form.coordinate)
+        known = form.stand_ins
+        truth = Truth("outside", (), {}, (sigmas,), form.name, form.coordinate, stand_ins=known)
         return TrueState(truth, meter.believed, disturb(size))
 
 

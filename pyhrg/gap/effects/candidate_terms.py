@@ -18,11 +18,12 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.caches.compiled import compile_loop
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.observations import ObservedTest
+from pyhrg.gap.soundness.fault import TABLE_RIPPLES, FaultKind
 
 PATTERN_HARMONICS = (1, 2, 3, 4, 5, 6, 8, 10, 12, 16)
 """Harmonics of the pattern angle. Chosen: all up to 6, then those of squares and products of the
 2nd, 4th and 8th."""
-TABLE_HARMONICS = (1, 2, 3, 4, 8)
+TABLE_HARMONICS = (1, *TABLE_RIPPLES)
 """Harmonics of the table angle. Chosen."""
 RATE_HARMONICS = (1, 2, 4)
 """Harmonics of the pattern angle that also appear in proportion to the rate, as loops follow the
@@ -66,6 +67,17 @@ class CandidateTerm:
     def words(self) -> str:
         """Description for reports."""
         return f"{self.function} ({self.channel})"
+
+    @property
+    def is_encoder_error(self) -> bool:
+        """Whether it is an angle by which the table's encoder and the gyro differ."""
+        return self.coordinate == "table_angle" and self.function.startswith("angle: ")
+
+    @property
+    def fault(self) -> FaultKind | None:
+        """The fault of the bench that it is: a ripple of the table, which the encoder does not
+        show."""
+        return TABLE_RIPPLES.get(self.harmonic or 0) if self.is_encoder_error else None
 
 
 @dataclass(frozen=True)

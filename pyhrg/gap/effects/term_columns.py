@@ -49,9 +49,10 @@ def _make_term(
 
 
 def _build_angle_terms(where: Coordinates) -> Columns:
-    """Terms of the output angle alone: a bias, whose integral appears; an error of the angle; a
-    force that points beside the pattern by an angle, which is a bias in proportion to the drive's
-    growth rate; and an error of the pick-off, which is both of these."""
+    """Terms of the output angle alone: a bias, whose integral appears; an error of the angle, from
+    the table's start on where it is the encoder's; a force that points beside the pattern by an
+    angle, which is a bias in proportion to the drive's growth rate; and an error of the pick-off,
+    which is both of these."""
     terms: Columns = []
 
     def add(place: str, key: tuple[str, str, int | None], values: Array) -> None:
@@ -63,7 +64,8 @@ def _build_angle_terms(where: Coordinates) -> Columns:
     for coordinate, function, harmonic, block in where.functions:
         add("bias", (coordinate, function, harmonic), integrate(block))
         if harmonic:
-            add("angle", (coordinate, function, harmonic), block)
+            start = make_harmonic(np.zeros(1)) if coordinate == "table_angle" else 0.0
+            add("angle", (coordinate, function, harmonic), block - start)
     for coordinate, function, harmonic, block in _generate_products(where):
         add("bias", (coordinate, function, harmonic), integrate(block))
     growth = where.growth_rate[:, None]

@@ -131,7 +131,7 @@ class Hypothesis:
     @property
     def unnamed(self) -> dict[str, float]:
         """What takes part outside the catalogue, in words, with probabilities given this noise."""
-        terms = [g for g in self.ranking.groups if isinstance(g, CandidateTerm)]
+        terms = [g for g in self.ranking.groups if isinstance(g, CandidateTerm) and not g.fault]
         probabilities = dict.fromkeys((term.words for term in terms), 0.0)
         for term in terms:
             probabilities[term.words] += self.ranking.probability(term)

@@ -63,7 +63,12 @@ class Ranking:
     @property
     def unknown_probability(self) -> float:
         """Posterior probability that something outside the catalogue takes part."""
-        return self.probability(*(g for g in self.groups if not isinstance(g, Effect)))
+        return self.probability(*(g for g in self.groups if is_unnamed(g)))
+
+
+def is_unnamed(group: Group) -> bool:
+    """Whether it is neither an effect of the catalogue nor a fault of the bench."""
+    return not isinstance(group, Effect) and group.fault is None
 
 
 def rank_sets(design: Design, is_feasible: Callable[[Fit], bool] = lambda fit: True) -> Ranking:

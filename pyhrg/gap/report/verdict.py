@@ -38,6 +38,7 @@ REMEDIES = {
     "mounting_sign": "Turn the sign where it is recorded, or the gyro where it is mounted.",
     "drive_interruption": "Find out why the drive was lost, and repeat these tests.",
     "encoder_noise": "Check the table encoder and its wiring.",
+    "table_ripple": "Calibrate the table encoder over a turn.",
     "time_jitter": "Let the recorder latch encoder and gyro at the same edge of its clock.",
     "lost_rows": "Check the recorder: it loses rows.",
     "outliers": "Check the recorder: it writes wrong readings.",

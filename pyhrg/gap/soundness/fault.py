@@ -1,4 +1,5 @@
-"""Faults of bench and record that screening finds and mends: no parameters of a simulated gyro.
+"""Faults of bench and record: no parameters of a simulated gyro. Screening finds and mends them; a
+ripple of the table is found by the search.
 
 A fault beyond its tolerance is a cause of its family. The tolerances are listed in
 docs/methods/effects.md.
@@ -49,7 +50,13 @@ LOST_ROWS = FaultKind("lost_rows", "record", "lost_rows_percent", 1.0)
 """Share of rows that are missing between the first and the last one."""
 OUTLIERS = FaultKind("outliers", "record", "outliers_percent", 0.3)
 """Share of rows with a wrong reading."""
+TABLE_RIPPLES = {
+    m: FaultKind("table_ripple", "bench", f"table_ripple_{m}_arcsec", 0.3) for m in (2, 3, 4, 8)
+}
+"""Amplitude by which encoder and gyro differ, by the harmonic of the table angle. The first is an
+eccentric encoder, a known parameter."""
 FAULT_KINDS = (
+    *TABLE_RIPPLES.values(),
     *(TABLE_SIGN, AXIS_SIGN, DRIVE_INTERRUPTION, ENCODER_NOISE),
     *(ENCODER_JITTER, GYRO_JITTER, LOST_ROWS, OUTLIERS),
 )

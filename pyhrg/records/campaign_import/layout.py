@@ -61,7 +61,7 @@ class Cells:
         if isinstance(column, int):
             if not 1 <= column <= len(self.cells[0]):
                 expected = f"expected 1 to {len(self.cells[0])}"
-                raise LogError(f"{self.source}: column {column}: not there; {expected}")
+                raise LogError(f"{self.source}: column {quote(column)}: not there; {expected}")
             return column - 1
         if self.names.count(column) != 1:
             found = f"found {self.names.count(column)} columns of that name"

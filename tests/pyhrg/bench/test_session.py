@@ -168,6 +168,8 @@ def test_progress_is_shown_only_when_asked(capsys: pytest.CaptureFixture[str]) -
         ("fixed-position", {"rnus": 3}, "rnus: found 3, expected no such argument"),
         ("full-circumference", {"runs": 1.5}, "runs: found 1.5, expected a whole number"),
         ("full-circumference", {"dwell_s": "long"}, "dwell_s: found 'long', expected a number"),
+        ("full-circumference", {"dwell_s": math.inf}, "dwell_s: found inf, expected a finite"),
+        ("full-circumference", {"dwell_s": math.nan}, "dwell_s: found nan, expected a finite"),
         ("fixed-position", {"seed": 1.5}, "seed: found 1.5, expected a whole number"),
     ],
 )

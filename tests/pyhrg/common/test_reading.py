@@ -145,6 +145,7 @@ def test_right_content_is_read(tmp_path: Path) -> None:
 def test_a_message_is_one_line() -> None:
     assert str(HrgError("a\nb\0\udc80")) == "a b\\x00\\udc80"
     assert len(fold_line("x" * 10**6)) <= LONGEST_MESSAGE
+    assert len(fold_line("x\0" * 10**6)) <= LONGEST_MESSAGE
 
 
 def test_a_value_is_shown_however_large() -> None:

@@ -6,7 +6,7 @@ Coordinates are pure numbers: a quantity over a unit. A parameter then has the u
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from pyhrg.common.units import DEG
@@ -80,8 +80,16 @@ def express_term(term: CandidateTerm) -> tuple[Basis, ...]:
     function = re.sub("^[a-z -]+: ", "", term.function)
     for pattern, make in _FORMS:
         if match := re.fullmatch(pattern, function):
-            return make(match)
+            bases = make(match)
+            return _count_from_start(bases) if term.is_encoder_error else bases
     return ()
+
+
+def _count_from_start(bases: tuple[Basis, ...]) -> tuple[Basis, ...]:
+    """Cosine and sine of the table angle less their values at its start, which is 0."""
+    cosine, sine = bases
+    text, modelica = f"({cosine.text} - 1)", f"({cosine.modelica} - 1)"
+    return replace(cosine, text=text, modelica=modelica), sine
 
 
 def _angle(coordinate: Coordinate, harmonic: int, factor: Basis | None = None) -> tuple[Basis, ...]:

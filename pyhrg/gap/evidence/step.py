@@ -26,7 +26,8 @@ def allow_term_error(
 ) -> TermError:
     """Share of the power of the most probable set's candidate terms that may remain in the residual
     because terms are not linear. Of terms that were simulated in these sizes, the step from there
-    counts; nothing is simulated if None. Jumps and values of each power-on are linear."""
+    counts; nothing is simulated if None. Jumps, values of each power-on and an encoder's errors are
+    linear."""
     steps: dict[Group, Array] = {}
     for group, size in hypothesis.ranking.best.sizes.items():
         if isinstance(group, CandidateTerm) and is_curved(group):
@@ -38,8 +39,9 @@ def allow_term_error(
 
 
 def is_curved(term: CandidateTerm) -> bool:
-    """Whether the response of a term is linear only where it is small."""
-    return not isinstance(term, Jump) and not term.is_of_each_power_on
+    """Whether the response of a term is linear only where it is small. That to an encoder's error
+    is: the pattern is where the gyro reads it."""
+    return not (isinstance(term, Jump) or term.is_of_each_power_on or term.is_encoder_error)
 
 
 def is_simulated(term: CandidateTerm) -> bool:

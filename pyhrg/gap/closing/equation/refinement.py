@@ -22,7 +22,7 @@ from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.hypothesis import TermError, rank_under_noise
 from pyhrg.gap.evidence.posterior import Posterior, compare_noises
-from pyhrg.gap.evidence.step import NEGLIGIBLE_CHI2, allow_term_error
+from pyhrg.gap.evidence.step import NEGLIGIBLE_CHI2, allow_term_error, is_curved
 from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels, replay_sampled
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
@@ -46,7 +46,7 @@ def refine_terms(
     without: dict[int, ChannelValues] = {}
     simulated, used = None, allow_term_error(attribution.posterior.best)
     for _ in range(MAX_ROUNDS):
-        best, sizes = attribution.posterior.best, list_sizes(attribution.posterior)
+        best, sizes = attribution.posterior.best, _list_curved(attribution.posterior)
         if not sizes or not attribution.settled:
             break
         fmu = load_closed_fmu(attribution.device, make_terms(attribution.posterior, list(sizes)))
@@ -78,6 +78,11 @@ def list_sizes(posterior: Posterior) -> dict[CandidateTerm, Array]:
         for group, size in best.sizes.items()
         if isinstance(group, CandidateTerm) and list_coefficients(group)
     }
+
+
+def _list_curved(posterior: Posterior) -> dict[CandidateTerm, Array]:
+    """The same of terms whose response is linear only where they are small."""
+    return {term: size for term, size in list_sizes(posterior).items() if is_curved(term)}
 
 
 def find_moved_tests(parts: Sequence[LinearTest], sizes: Sizes, noise: CampaignNoise) -> list[int]:
@@ -153,7 +158,7 @@ def _linearize(
 
 def _have_converged(posterior: Posterior, before: Sizes) -> bool:
     """Whether the most probable set has the same terms, each where it was."""
-    after, best = list_sizes(posterior), posterior.best.ranking.best
+    after, best = _list_curved(posterior), posterior.best.ranking.best
     if after.keys() != before.keys():
         return False
     return all(

@@ -138,8 +138,7 @@ class _Iteration:
     _differentiated_at: gyro at which all sensitivities were taken last.
     _linearization_error: allowed linearization error, as chi-square.
     _error_limit: upper limit of the next one.
-    _term_error: linearization error of the last best set's candidate terms, which are not simulated
-        here.
+    _term_error: linearization error of the best set's candidate terms, which are not simulated.
     _visited_sets: most probable set of each round so far.
     _compared_groups: set of effects for which the noises were compared last.
     """
@@ -224,13 +223,12 @@ class _Iteration:
         return self.posterior.best
 
     def _rank(self) -> Hypothesis:
-        """Sets under the present noise. Where large terms turn up first, the ranking is repeated:
-        what their linear responses miss must not be read as other terms."""
+        """Sets under the present noise. Where large terms take part, the ranking is repeated: what
+        their linear responses miss must not be read as other terms."""
         nominal, parts, error = self._nominal, self.parts, self._linearization_error
-        hypothesis = rank_under_noise(self.noise, nominal, parts, error, self._term_error)
-        is_new = not self._term_error
-        self._term_error = allow_term_error(hypothesis)
-        if is_new and self._term_error and not error:
+        hypothesis = rank_under_noise(self.noise, nominal, parts, error)
+        self._term_error = {} if error else allow_term_error(hypothesis)
+        if self._term_error:
             hypothesis = rank_under_noise(self.noise, nominal, parts, error, self._term_error)
         return hypothesis
 

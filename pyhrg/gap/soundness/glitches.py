@@ -45,6 +45,8 @@ MIN_SIZE_LOCAL = 5.0
 """Smallest glitch, in the largest departure of the steps around it. Chosen."""
 MIN_SIZE_ELSEWHERE = 2.0
 """Smallest glitch, in the largest step of all other rows, a few excepted. Chosen."""
+MIN_SIZE_SHARE = 1e-12
+"""Smallest glitch, in the largest value of the series. Chosen: above the rounding of numbers."""
 REACH = 2 * CONTEXT + MAX_LENGTH
 """Rows that a glitch influences: derived from the window's length."""
 MIN_CONTRADICTION = 1e-5
@@ -207,7 +209,8 @@ def _measure_glitches(series: Array, rows: Mask, length: int) -> Array:
     size = np.where(away * back > 0, np.minimum(np.abs(away), np.abs(back)), 0.0)
     usable &= np.isfinite(remaining)
     sigma = _estimate_deviation(away[usable])
-    least = np.maximum(MIN_SIZE_SIGMA * sigma, MIN_SIZE_LOCAL * unsteadiness)
+    rounding = MIN_SIZE_SHARE * float(np.abs(series[rows]).max())
+    least = np.maximum(max(MIN_SIZE_SIGMA * sigma, rounding), MIN_SIZE_LOCAL * unsteadiness)
     sizes = np.zeros(len(series))
     for first in np.flatnonzero(usable & (size > least) & (np.abs(remaining) < size / 2)):
         sizes[first : first + length] = size[first]

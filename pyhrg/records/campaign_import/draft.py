@@ -21,7 +21,7 @@ PATTERNS = {
     "accel_x": r"^acc.*x$|^a_?x$|^f_?x$",
     "accel_y": r"^acc.*y$|^a_?y$|^f_?y$",
     "accel_z": r"^acc.*z$|^a_?z$|^f_?z$",
-    "temperature": r"^temp|^t$|^t_?(case|gyro)",
+    "temperature": r"^temp|^t$|^t_?(case|gyro)|^case",
     "virtual_rotation": r"virtual",
     "amplitude_setpoint": r"set_?point",
     "phase_offset": r"phase_?offset",
@@ -35,6 +35,12 @@ PATTERNS = {
     "gyro_angle": r"gyro|omega|angle|winkel|output|rate",
 }
 """What a column's name without its unit matches, in lower case, by stem; the first one counts."""
+KINDS = {
+    **{"positions": "position", "ring_down": "ring", "virtual_rotation": "virtual"},
+    **{"thermal": "therm", "amplitude": "ampl", "phase_step": "phase", "tumble": "tumbl"},
+    **{"manoeuvre": "man", "rate": "rate"},
+}
+"""Kinds of tests, each with a word that the name of its log may have."""
 USUAL_UNITS = {"s": "s", "deg": "deg", "rad": "rad", "deg_s": "deg/s", "m_s2": "m/s2"} | {
     **{"degC": "degC", "per_s": "1/s", "Hz": "Hz", "": "1"}
 }
@@ -101,7 +107,7 @@ def _split(line: str, separator: str) -> list[str]:
 
 
 def _draft_test(name: str, path: str, sketch: Sketch) -> str:
-    kind = "rate" if "rate" in name.lower() else "static"
+    kind = next((kind for kind, word in KINDS.items() if word in name.lower()), "static")
     columns = _guess_columns(sketch.names)
     if not {"gyro_angle", "wave_angle"} & columns.keys():
         found = ", ".join(sketch.names)

@@ -31,6 +31,12 @@ def add_glitches(*rows: slice | int) -> Array:
     return series
 
 
+def test_rounding_of_an_exact_series_is_no_glitch() -> None:
+    exact = np.radians(0.5) * np.arange(1, ROWS + 1)
+    exact[[300, 301, 600]] += 2e-14
+    assert not find_glitches(exact, ALL).any()
+
+
 @pytest.mark.parametrize("length", [1, 2, 3])
 def test_a_glitch_of_up_to_three_rows_is_found(length: int) -> None:
     rows = slice(500, 500 + length)

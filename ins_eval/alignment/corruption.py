@@ -24,8 +24,9 @@ counts repeat for up to 0.11 s."""
 MIN_EXPECTED_REPEATS = 1e-6
 """Smallest expected number of repetitions in a record for which coarse counts explain one.
 Chosen."""
-ROUNDING = 1e-12
-"""Relative difference, to the largest sample, below which samples count as equal. Chosen."""
+ROUNDING = 1e-10
+"""Relative difference, to the largest sample, below which samples count as equal. Chosen: above the
+rounding of a simulated vehicle at rest."""
 EASING_RATIO = 0.2
 """Largest ratio of the change at the ends of a repetition to the median change between samples for
 which the repetition is smooth. Chosen."""

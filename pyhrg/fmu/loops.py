@@ -18,7 +18,7 @@ from numba.extending import intrinsic
 from pyhrg.common.caches.compiled import compile_loop
 
 Addresses = tuple[int, int, int]
-"""Of fmi2SetReal, fmi2GetReal and fmi2DoStep."""
+"""Addresses of fmi2SetReal, fmi2GetReal and fmi2DoStep."""
 
 
 @lru_cache(maxsize=4)

@@ -81,7 +81,7 @@ def list_sizes(posterior: Posterior) -> dict[CandidateTerm, Array]:
 
 
 def _list_curved(posterior: Posterior) -> dict[CandidateTerm, Array]:
-    """The same of terms whose response is linear only where they are small."""
+    """Size of each of these terms whose response is linear only where it is small."""
     return {term: size for term, size in list_sizes(posterior).items() if is_curved(term)}
 
 

@@ -187,7 +187,7 @@ FORMS = (
         lambda device, course: (find_resonator_warmth(device, course) / 30) ** 2,
     ),
     make_rate_form("temperature_hysteresis", "temperature", 0.01 * DEG_PER_H, hysteresis),
-    Form("temperature_sensor_lag", "temperature", sensor_lag),
+    Form("temperature_sensor_lag", "temperature", sensor_lag, ("thermometer_lag",)),
     # a scale factor that differs between the two directions of rotation
     make_signed_rate_form(
         "scale_factor_asymmetry", "rate", 10 * PPM, lambda device, course: np.abs(course.rate)

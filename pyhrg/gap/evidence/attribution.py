@@ -211,6 +211,7 @@ class _Iteration:
             hypothesis = self._rank()
         if self._linearization_error:
             self._allow_linearization_error(LINEARIZATION_ERROR * length**2, hypothesis)
+        if self._linearization_error and self._error_limit == math.inf:
             self.posterior = Posterior((hypothesis,), (1.0,))
         elif hypothesis.ranking.best.groups == self._compared_groups:
             others = self.posterior.hypotheses[1:]

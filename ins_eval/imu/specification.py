@@ -10,6 +10,7 @@ from ins_eval.imu.mounting import ORTHOGONAL, Mounting, MountingError, make_moun
 from ins_eval.imu.sensor_error_model import AxisConstants, SensorErrorModel
 from ins_eval.imu.stated_gyros import StatedGyros
 from pyhrg.common.errors import HrgError
+from pyhrg.common.files import is_file
 from pyhrg.common.toml_table import TomlTable, read_table
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G, PPM
 from pyhrg.device.ready_devices import READY, load_device
@@ -72,7 +73,7 @@ def load_imu(name_or_path: str | Path) -> Imu:
     """
     if str(name_or_path) in list_imus():
         return read_imu(READY_FOLDER / f"{name_or_path}.toml")
-    if not Path(name_or_path).is_file():
+    if not is_file(name_or_path):
         raise HrgError(
             f"{name_or_path}: found no such file, expected one or {', '.join(list_imus())}"
         )

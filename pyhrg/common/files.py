@@ -18,6 +18,14 @@ def check_output_folder(out: Path) -> None:
         raise PermissionError(errno.EACCES, "it can't be written", str(nearest))
 
 
+def is_file(path: str | Path) -> bool:
+    """Whether a file is there; false for a name that no file can have."""
+    try:
+        return Path(path).is_file()
+    except OSError:  # too long
+        return False
+
+
 def write_whole(path: Path, data: bytes) -> None:
     """Write a file under another name, then rename it; nothing stays behind when that fails."""
     handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from pyhrg.common.errors import HrgError
+from pyhrg.common.files import is_file
 from pyhrg.device import device_file
 from pyhrg.device.device import Device
 
@@ -25,7 +26,7 @@ def load_device(name_or_path: str | Path) -> Device:
     if str(name_or_path) in READY:
         return device_file.read(_FOLDER / f"{name_or_path}.toml")
     path = Path(name_or_path)
-    if not path.is_file():
+    if not is_file(path):
         raise HrgError(f"{path}: found no such file, expected one or {', '.join(READY)}")
     return device_file.read(path)
 

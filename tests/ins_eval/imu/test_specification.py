@@ -103,6 +103,7 @@ def test_ready_units_are_there() -> None:
         ("gyros.kind = 'good'", "gyros.kind: found 'good', expected ideal or simple"),
         ("gyros.bias_deg_h = [1, 2, 3]", r"gyros\.bias_deg_h: found an unknown key, expected"),
         ("gyros.device = 'none'", r"none: found no such file, expected one or table2"),
+        (f"gyros.device = '{'n' * 5000}'", r"nn: found no such file, expected one or table2"),
         ("gyros.device = 'typical'\ngyros.calibrated = 1", "calibrated: found 1, expected true or"),
         ("gyros.device = 'typical'\ngyros.first.decay_time = 1", "gyros.first: decay_time: found"),
         ("gyros.device = 'typical'\ngyros.forth = 1", r"gyros.forth: found an unknown key"),

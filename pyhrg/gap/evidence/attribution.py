@@ -24,7 +24,7 @@ from pyhrg.gap.evidence.hypothesis import (
 )
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
-from pyhrg.gap.evidence.posterior import Posterior, compare_noises
+from pyhrg.gap.evidence.posterior import Posterior, average_posteriors, compare_noises
 from pyhrg.gap.evidence.search import Ranking
 from pyhrg.gap.evidence.step import (
     LINEARIZATION_ERROR,
@@ -53,6 +53,9 @@ LINEAR_DISTANCE = math.sqrt(NEGLIGIBLE_CHI2 / LINEARIZATION_ERROR)
 """Mahalanobis length of a step with a negligible linearization error: 32 sigma. Derived."""
 MAX_ROUNDS = 20
 """Number of iterations after which the search ends unconverged. Chosen."""
+UNSETTLED_ROUNDS = 4
+"""Number of last rounds whose posteriors are averaged then. Chosen: more than the sets between
+which searches were seen to alternate."""
 
 
 @dataclass(frozen=True)
@@ -105,6 +108,7 @@ def attribute_gap(
     """Find the effects and noises of the catalogue that make the gap in tests that may be fitted
     to. `report` is called with a line of text at each step."""
     iteration = _Iteration(simulation, nominal, tests, catalogue)
+    posteriors: list[Posterior] = []
     for number in range(1, MAX_ROUNDS + 1):
         report(f"round {number}: simulating")
         iteration.simulate()
@@ -114,13 +118,14 @@ def attribute_gap(
         report(f"round {number}: step of {length:.3g} sigma")
         has_converged = iteration.has_converged(hypothesis)
         iteration.noise = hypothesis.noise
+        posteriors.append(iteration.posterior)
         if has_converged or number == MAX_ROUNDS:
             break
         iteration.move(hypothesis)
     return Attribution(
         nominal,
         iteration.device,
-        iteration.posterior,
+        posteriors[-1] if has_converged else average_posteriors(posteriors[-UNSETTLED_ROUNDS:]),
         tuple(iteration.parts),
         iteration.nominal_answers,
         has_converged,

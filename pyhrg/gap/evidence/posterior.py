@@ -75,6 +75,16 @@ class Posterior:
         return min(1.0, sum(p * v for p, v in zip(self.probabilities, values, strict=True)))
 
 
+def average_posteriors(posteriors: Sequence[Posterior]) -> Posterior:
+    """The mean of posteriors of successive rounds; the best hypothesis is that of the last one.
+    What comes and goes from round to round is then not certain."""
+    *before, last = posteriors
+    others = [pair for p in before for pair in zip(p.hypotheses, p.probabilities, strict=True)]
+    pairs = [*zip(last.hypotheses, last.probabilities, strict=True), *others]
+    hypotheses, probabilities = zip(*pairs, strict=True)
+    return Posterior(hypotheses, tuple(p / len(posteriors) for p in probabilities))
+
+
 def compare_noises(
     first: Hypothesis,
     nominal: Device,

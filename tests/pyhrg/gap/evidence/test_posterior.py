@@ -17,7 +17,7 @@ from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.evidence.evidence import Fit
 from pyhrg.gap.evidence.hypothesis import rank_under_noise
 from pyhrg.gap.evidence.noise.noise_hypothesis import AddedNoise, NoiseHypothesis
-from pyhrg.gap.evidence.posterior import Posterior, compare_noises
+from pyhrg.gap.evidence.posterior import Posterior, average_posteriors, compare_noises
 from pyhrg.gap.evidence.search import Ranking
 from pyhrg.gap.replay.observations import CHANNELS, observe_test
 from pyhrg.gap.whitening.channel_noise import build_angle_noise
@@ -138,6 +138,12 @@ def test_probabilities_are_those_of_all_hypotheses() -> None:
     assert posterior.probability(SILENT.name) == pytest.approx(0.4)
     assert posterior.probability("rate_random_walk", SILENT.name) == pytest.approx(1.0)
     assert posterior.equivalents("rate_random_walk") == (SILENT.name,)
+    last = Posterior((silent,), (1.0,))
+    average = average_posteriors([posterior, last])
+    assert average.best is silent
+    assert average.probability("rate_random_walk") == pytest.approx(0.3)
+    assert average.probability(SILENT.name) == pytest.approx(0.7)
+    assert sum(average.probabilities) == pytest.approx(1.0)
     assert Posterior((walks, silent), (0.96, 0.04)).equivalents("rate_random_walk") == ()
     assert Posterior((silent, walks), (0.6, 0.4)).equivalents(SILENT.name) == ("rate_random_walk",)
 

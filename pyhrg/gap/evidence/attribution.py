@@ -216,14 +216,14 @@ class _Iteration:
             hypothesis = self._rank()
         if self._linearization_error:
             self._allow_linearization_error(LINEARIZATION_ERROR * length**2, hypothesis)
-        if self._linearization_error and self._error_limit == math.inf:
+        is_rough = self._linearization_error > 0 and self._error_limit == math.inf
+        if is_rough or self._term_error:  # noise must not stand in for what terms miss
             self.posterior = Posterior((hypothesis,), (1.0,))
         elif hypothesis.ranking.best.groups == self._compared_groups:
             others = self.posterior.hypotheses[1:]
             self.posterior = replace(self.posterior, hypotheses=(hypothesis, *others))
         else:
-            noises = self._catalogue.noises
-            self.posterior = compare_noises(hypothesis, nominal, parts, noises, self._term_error)
+            self.posterior = compare_noises(hypothesis, nominal, parts, self._catalogue.noises)
             is_near = self.step_length(hypothesis) < LINEAR_DISTANCE
             self._compared_groups = self.posterior.best.ranking.best.groups if is_near else None
         return self.posterior.best

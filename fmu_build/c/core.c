@@ -39,7 +39,7 @@ void core_initialize(Core *core, double start) {
 void core_advance(Core *core, double time) {
   refresh_held(core);
   /* Ticks are counted, never accumulated, so that no rounding builds up over hours. */
-  const double period = MODEL_PERIOD(core->v);
+  const double period = FIRST(MODEL_PERIOD(core->v));
   const double slack = same_instant(time, period);
   double target = (time - core->start) / period;
   while ((double)core->ticks <= target + slack) {
@@ -62,16 +62,16 @@ void core_refresh(Core *core) {
 }
 
 double core_next_tick(const Core *core) {
-  return core->start + (double)core->ticks * MODEL_PERIOD(core->v);
+  return core->start + (double)core->ticks * FIRST(MODEL_PERIOD(core->v));
 }
 
 int core_ticks_before(const Core *core, double time) {
-  const double period = MODEL_PERIOD(core->v);
+  const double period = FIRST(MODEL_PERIOD(core->v));
   return (time - core->start) / period > (double)core->ticks + same_instant(time, period);
 }
 
 int core_is_at(const Core *core, double time) {
-  const double period = MODEL_PERIOD(core->v);
+  const double period = FIRST(MODEL_PERIOD(core->v));
   double now = core->start + (double)(core->ticks - 1) * period + core->offset;
   return core->ticks >= 1 && core->offset >= 0.0 && core->offset < period &&
          fabs(now - time) <= 2.0 * same_instant(time, period) * period;

@@ -36,6 +36,8 @@ static inline int go_together(truth condition) {
 #define m_abs(x) __builtin_elementwise_abs(x)
 #define m_sqrt(x) __builtin_elementwise_sqrt(x)
 #define m_is_finite(x) ALL(m_abs(x) < INFINITY)
+/* A number that all lanes have alike. */
+#define FIRST(x) (((real)(x))[0])
 #define TO_REAL(x) __builtin_convertvector(x, real)
 #define TO_BITS(x) __builtin_convertvector(x, bits)
 
@@ -52,6 +54,7 @@ typedef int truth;
 #define m_abs(x) fabs(x)
 #define m_sqrt(x) sqrt(x)
 #define m_is_finite(x) isfinite(x)
+#define FIRST(x) (x)
 #define TO_REAL(x) ((real)(x))
 #define TO_BITS(x) ((bits)(x))
 

@@ -29,6 +29,8 @@ COSIMULATED_TRIADS = 2
 """Number of triads that are co-simulated, in the first mission. Chosen."""
 COSIMULATION_INTERVAL = 0.02
 """Interval of the increments in the co-simulation, s. Chosen."""
+MIN_CHECKED_DISTANCE = 1.0
+"""Distance below which its linear model is not checked, m: none matters. Chosen."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +73,7 @@ class MissionGaps:
     """The distance in every mission that was asked for.
 
     cosimulation: the distance by the linear model compared with that by co-simulation, in the
-    first mission; None where the two devices are equal without noise.
+    first mission; None where the distance is shorter than `MIN_CHECKED_DISTANCE`.
     """
 
     request: PositionRequest
@@ -99,7 +101,7 @@ def compute_mission_gaps(
         parts = [compute_error_parts(weights, coefficients) for coefficients in in_flight]
         gaps.append(_compare_devices(weights, gyros, parts, request.seed, diagnosis))
     cosimulation = None
-    if diagnosis.is_changed:
+    if gaps[0].at_end.value >= MIN_CHECKED_DISTANCE:
         report(f"position: {missions[0].name}, co-simulated")
         cosimulation = _check_linearity(fmu, missions[0], gyros, angles[:COSIMULATED_TRIADS])
     return MissionGaps(request, diagnosis, tuple(gaps), cosimulation)

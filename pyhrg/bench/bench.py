@@ -16,7 +16,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.device.device_file import nominal
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
-from pyhrg.fmu import CONTROL_PERIOD, Gyro, GyroFmu
+from pyhrg.fmu import CONTROL_PERIOD, Gyro, GyroFmu, record_together
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign, Test
 
@@ -190,14 +190,32 @@ def record_rows(
     the FMU's names, SI; `held` are (n,) inputs by their names in a programme, SI; `means` are
     fields that are averaged over each row, `at_end` the FMU's names of others.
     """
+    return record_rows_together([gyro], [moving], held, step, means, at_end)[0]
+
+
+def record_rows_together(
+    gyros: Sequence[Gyro],
+    moving: Sequence[Mapping[str, Array]],
+    held: Mapping[str, Array],
+    step: float,
+    means: Sequence[str] = tuple(OUTPUTS_AVERAGED),
+    at_end: Mapping[str, str] = OUTPUTS_AT_END,
+) -> list[dict[str, Array]]:
+    """`record_rows` of gyros of one FMU that were switched on at the same time and whose held
+    inputs are the same: the same bits as one by one, faster."""
     commands = {HELD_INPUTS[name]: values for name, values in held.items()}
     averaged = [OUTPUTS_AVERAGED[name] for name in means]
-    ends, rows = gyro.record(moving, commands, step, list(at_end.values()), averaged)
-    fields = dict(zip((*at_end, *means), [*ends.T, *rows.T], strict=True))
-    change = np.diff(fields["amplitude"], prepend=fields["amplitude"][0])
-    interval = step * next(iter(moving.values())).shape[1]
-    fields["amplitude"] = np.asarray(fields["amplitude"] - change * CONTROL_PERIOD / interval)
-    return fields
+    names, interval = (*at_end, *means), step * next(iter(moving[0].values())).shape[1]
+    outputs = record_together(
+        gyros, moving, [commands] * len(gyros), step, list(at_end.values()), averaged
+    )
+    recorded = []
+    for ends, rows in outputs:
+        fields = dict(zip(names, [*ends.T, *rows.T], strict=True))
+        change = np.diff(fields["amplitude"], prepend=fields["amplitude"][0])
+        fields["amplitude"] = np.asarray(fields["amplitude"] - change * CONTROL_PERIOD / interval)
+        recorded.append(fields)
+    return recorded
 
 
 def compute_earth_rate(device: Device, axis_up: Array, table_angle: Array) -> Array:

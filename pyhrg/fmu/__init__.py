@@ -7,6 +7,9 @@ from pyhrg.fmu.archive import GyroError
 from pyhrg.fmu.gyro import CHUNK, Gyro
 from pyhrg.fmu.gyro_fmu import GyroFmu
 from pyhrg.fmu.rows import COMMANDS, CONTROL_PERIOD
-from pyhrg.fmu.together import record_together
+from pyhrg.fmu.together import WIDE, record_together
 
-__all__ = ["CHUNK", "COMMANDS", "CONTROL_PERIOD", "Gyro", "GyroError", "GyroFmu", "record_together"]
+__all__ = [
+    "CHUNK", "COMMANDS", "CONTROL_PERIOD", "WIDE", "Gyro", "GyroError", "GyroFmu",
+    "record_together",
+]  # fmt: skip

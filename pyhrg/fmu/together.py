@@ -1,4 +1,4 @@
-"""Several gyros recorded together: the same bits as one by one, in a third of the time."""
+"""Several gyros recorded together: the same bits as one by one, in a third of the time or less."""
 
 from collections.abc import Iterator, Mapping, Sequence
 
@@ -23,7 +23,7 @@ def record_together(
     """Record gyros of one FMU, each as `Gyro.record` does it, from the same time on.
 
     What can't go together goes one by one: noise in some gyros only, different numbers of rows,
-    rows that are new for some only, quasi-steady models, and all where there is no compiler.
+    rows that are new for some only, other communication steps, and all where there is no compiler.
 
     Args:
         gyros: (k,) at the same time since power-on.
@@ -59,7 +59,7 @@ def _split(count: int) -> Iterator[slice]:
 def _fill(gyros: Sequence[Gyro], layout: Layout, rows: Sequence[Rows]) -> None:
     done = 0
     archive = gyros[0].instance.archive
-    if len(gyros) > 1 and archive.is_sampled:
+    if len(gyros) > 1:
         lanes = load_lanes(archive.folder, NARROW if len(gyros) <= NARROW else WIDE)
         done = _fill_lanes(lanes, gyros, layout, rows) if lanes else 0
     for gyro, each in zip(gyros, rows, strict=True):

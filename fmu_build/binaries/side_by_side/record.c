@@ -59,6 +59,7 @@ static int can_start(const Flight *flight) {
   for (size_t i = 0; i < flight->n; i++) {
     const Situation *now = &flight->gyros[i].instance->now;
     if (now->phase != STEPPING || now->stop_defined || now->core.start != first->core.start ||
+        MODEL_PERIOD(now->core.v) != MODEL_PERIOD(first->core.v) ||
         now->core.offset != first->core.offset || now->core.ticks != first->core.ticks ||
         !(fabs(plan->start - now->time) <= 1e-9 * (1.0 + fabs(now->time))) ||
         !(plan->step > 0.0 && plan->start + duration < LATEST_TIME - 1.0))

@@ -1,6 +1,6 @@
 """Sensitivities of a replay to the effects' parameters, and the residual of a linearized test."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 
@@ -51,28 +51,30 @@ def compute_sensitivities(
 ) -> dict[Effect, dict[str, Array]]:
     """Change of a replay per unit of the effects' vectors at a device (Eq. 1): (n, d) by channel
     for each effect of size d, channel's SI unit over the vector's. A `GyroError` of the FMU names
-    test and effect."""
-    change_to = simulation.make_difference_from(device, test)
+    the test."""
+    effects = list(effects)
+    moves = [_move(device, effect, unit) for effect in effects for unit in np.eye(effect.size)]
+    try:
+        changes = simulation.compute_differences(device, [other for other, _ in moves], test)
+    except GyroError as error:
+        raise GyroError(f"{test.test.id}: {error}") from error
+    columns = iter(
+        {name: change[name] / distance for name in CHANNELS}
+        for change, (_, distance) in zip(changes, moves, strict=True)
+    )
     sensitivities = {}
     for effect in effects:
-        try:
-            directions = np.eye(effect.size)
-            columns = [_differentiate(change_to, device, effect, unit) for unit in directions]
-        except GyroError as error:
-            raise GyroError(f"{test.test.id}, with {effect.name}: {error}") from error
+        own = [next(columns) for _ in range(effect.size)]
         sensitivities[effect] = {
-            name: np.column_stack([column[name] for column in columns]) for name in CHANNELS
+            name: np.column_stack([column[name] for column in own]) for name in CHANNELS
         }
     return sensitivities
 
 
-def _differentiate(
-    change_to: Callable[[Device], ChannelValues], device: Device, effect: Effect, unit: Array
-) -> dict[str, Array]:
-    """(n,) by channel, along a unit vector; backwards where the effect is at its upper bound."""
+def _move(device: Device, effect: Effect, unit: Array) -> tuple[Device, float]:
+    """The device a little along a unit vector, and how far; backwards where the effect is at its
+    upper bound."""
     here, step = effect.vector(device), STEP_SHARE * effect.scale
     candidates = (effect.put(device, here + sign * step * unit) for sign in (1, -1))
     moved = next(other for other in candidates if (effect.vector(other) - here) @ unit != 0)
-    distance = (effect.vector(moved) - here) @ unit
-    change = change_to(moved)
-    return {name: change[name] / distance for name in CHANNELS}
+    return moved, float((effect.vector(moved) - here) @ unit)

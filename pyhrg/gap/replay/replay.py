@@ -1,7 +1,8 @@
 """A test's inputs, as its log has them, put to the simulated gyro."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -13,14 +14,14 @@ from pyhrg.bench.bench import (
     compute_earth_rate,
     compute_step_middles,
     interpolate_rows,
-    record_rows,
+    record_rows_together,
 )
 from pyhrg.bench.programme import HELD_INPUTS
 from pyhrg.common.arrays import Array
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
-from pyhrg.fmu import GyroFmu
+from pyhrg.fmu import WIDE, GyroFmu
 from pyhrg.gap.replay.instruments import estimate_toggling_step
 from pyhrg.gap.replay.table_motion import TableMotion, estimate_table_motion
 from pyhrg.records import COLUMNS, Log
@@ -128,32 +129,77 @@ def replay_inputs(
     shortened to a whole fraction of a row. A `GyroError` where the FMU refuses parameters or
     inputs.
     """
-    steps = max(1, math.ceil(inputs.log.interval / step - STEP_ROUNDING))
-    step = inputs.log.interval / steps
-    held = {name: getattr(inputs.log, name) for name in HELD_COLUMNS}
-    silent = replace(device.without_noise(), quantization_step=0.0)
-    parameters = dict(silent.fmu_parameters())
+    return replay_together(fmu, [(device, inputs)], step)[0]
+
+
+def replay_together(
+    fmu: GyroFmu, runs: Sequence[tuple[Device, ReplayInputs]], step: float
+) -> list[dict[str, Array]]:
+    """`replay_inputs` of several devices, all with the inputs of one log but for the start
+    angle."""
+    return [
+        outputs
+        for first in range(0, len(runs), WIDE)
+        for outputs in _replay_few(fmu, runs[first : first + WIDE], step)
+    ]
+
+
+def _replay_few(
+    fmu: GyroFmu, runs: Sequence[tuple[Device, ReplayInputs]], step: float
+) -> list[dict[str, Array]]:
+    log = runs[0][1].log
+    steps = max(1, math.ceil(log.interval / step - STEP_ROUNDING))
+    step = log.interval / steps
+    held = {name: getattr(log, name) for name in HELD_COLUMNS}
+    starts = {HELD_INPUTS[name]: float(values[0]) for name, values in held.items()}
     if not fmu.is_sampled:
-        without_loops = {k: v for k, v in parameters.items() if k not in LOOP_FREQUENCIES}
-        parameters = {**without_loops, "samplePeriod": step}
-    parameters |= {HELD_INPUTS[name]: float(values[0]) for name, values in held.items()}
-    temperatures = correct_temperatures(device, inputs)
-    parameters["caseTemperature"] = float(temperatures[0])
+        starts["samplePeriod"] = step
+    with ExitStack() as stack:
+        gyros, varying = [], []
+        for device, inputs in runs:
+            moving = _list_moving_inputs(fmu, device, inputs, steps)
+            parameters = _list_parameters(fmu, device) | starts
+            parameters["caseTemperature"] = float(correct_temperatures(device, inputs)[0])
+            angle = _find_start_angle(device, inputs)
+            gyros.append(stack.enter_context(fmu.power_on(parameters, seed=0, start_angle=angle)))
+            varying.append(moving)
+        recorded = record_rows_together(gyros, varying, held, step, LOOP_OUTPUTS, READ_AT_END)
+    changes = [read_change(r, Device(), d, log) for r, (d, _) in zip(recorded, runs, strict=True)]
+    return [
+        {name: values + change[name] for name, values in rows.items()}
+        for rows, change in zip(recorded, changes, strict=True)
+    ]
+
+
+def _list_parameters(fmu: GyroFmu, device: Device) -> dict[str, float]:
+    """Parameters of the FMU, without noise."""
+    silent = replace(device.without_noise(), quantization_step=0.0)
+    unknown = () if fmu.is_sampled else LOOP_FREQUENCIES
+    return {name: v for name, v in silent.fmu_parameters().items() if name not in unknown}
+
+
+def _list_moving_inputs(
+    fmu: GyroFmu, device: Device, inputs: ReplayInputs, steps: int
+) -> dict[str, Array]:
+    """(n, steps) inputs that change within a row."""
     angle = inputs.table_angle(steps)
     earth = compute_earth_rate(device, inputs.log.axis_up[:, None], angle)
     eccentric = device.encoder_eccentricity * np.cos(angle + device.encoder_eccentricity_phase)
-    varying = {
+    temperatures = correct_temperatures(device, inputs)
+    moving = {
         "angularRate": inputs.table.compute_rates(steps) * (1 + eccentric) + earth,
         "caseTemperature": interpolate_rows(temperatures, compute_step_middles(steps)),
     }
     if "tableAngle" in fmu.references:  # the FMU of a diagnosis with a term of the table angle
-        varying["tableAngle"] = angle
+        moving["tableAngle"] = angle
+    return moving
+
+
+def _find_start_angle(device: Device, inputs: ReplayInputs) -> float:
+    """Pattern angle at power-on, rad, of a device that reads angles late."""
     late = device.clock_latency + device.clock_rate * inputs.log.time
     turned = device.bryan_factor * float(np.mean(late * inputs.log.virtual_rotation))
-    with fmu.power_on(parameters, seed=0, start_angle=inputs.start_angle - turned) as on:
-        rows = record_rows(on, varying, held, step, LOOP_OUTPUTS, READ_AT_END)
-    change = read_change(rows, Device(), device, inputs.log)
-    return {name: values + change[name] for name, values in rows.items()}
+    return inputs.start_angle - turned
 
 
 def correct_temperatures(device: Device, inputs: ReplayInputs) -> Array:

@@ -2,7 +2,7 @@
 
 import math
 from collections import OrderedDict
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -141,32 +141,39 @@ class Simulation:
     def compute_difference(self, low: Device, high: Device, test: ObservedTest) -> dict[str, Array]:
         """(n,) by channel, SI: output of `high` less that of `low`, for devices that differ
         little."""
-        first, last = (self._run_cached(device, test.inputs) for device in (low, high))
+        first, last = (self._run_cached(device, test.inputs)[0] for device in (low, high))
         return _subtract(first, last, low, high, test)
 
-    def make_difference_from(
-        self, device: Device, test: ObservedTest
-    ) -> Callable[[Device], dict[str, Array]]:
-        """`compute_difference` from one device on, which is simulated once."""
-        first = self._run_cached(device, test.inputs)
+    def compute_differences(
+        self, device: Device, others: Sequence[Device], test: ObservedTest
+    ) -> list[dict[str, Array]]:
+        """`compute_difference` of each of the others from one device, simulated together."""
+        (first,) = self._run_cached(device, test.inputs)
+        to_run = [other for other in others if not self._is_read_out(device, other, test)]
+        runs = iter(self._run_coarse([(other, test.inputs) for other in to_run]))
+        differences = []
+        for other in others:
+            if self._is_read_out(device, other, test):
+                change = replays.read_change(first, device, other, test.log)
+                last = add_channels(first, change)
+            else:
+                last = next(runs)
+            differences.append(_subtract(first, last, device, other, test))
+        return differences
+
+    def _is_read_out(self, device: Device, other: Device, test: ObservedTest) -> bool:
+        """Whether one run gives the outputs of both devices."""
         is_quasi_steady = not is_short(len(test.log.time), test.log.interval)
         read_out = replays.list_read_out_fields(test.log)
         unseen = (*read_out, *(LOOP_FIELDS if is_quasi_steady else ()))
-
-        def change_to(other: Device) -> dict[str, Array]:
-            kept: dict[str, Any] = {name: getattr(device, name) for name in unseen}
-            if replace(other, **kept) == device:  # no other run is needed
-                change = replays.read_change(first, device, other, test.log)
-                return _subtract(first, add_channels(first, change), device, other, test)
-            return _subtract(first, self._run_coarse(other, test.inputs), device, other, test)
-
-        return change_to
+        kept: dict[str, Any] = {name: getattr(device, name) for name in unseen}
+        return replace(other, **kept) == device
 
     def differentiate_by_angle(self, device: Device, test: ObservedTest) -> AngleDerivatives:
         """Derivatives of a replay by the pattern angle, by central differences of the start angle
         (docs/methods/replay.md, Eq. 7)."""
         shifts = (-ANGLE_SHIFT, 0.0, ANGLE_SHIFT)
-        low, middle, high = (self._run_cached(device, test.inputs, s) for s in shifts)
+        low, middle, high = self._run_cached(device, test.inputs, shifts)
         pairs = (low, middle), (middle, high)
         below, above = (_subtract(*pair, device, device, test) for pair in pairs)
         slopes = {name: (below[name] + above[name]) / (2 * ANGLE_SHIFT) for name in CHANNELS}
@@ -180,39 +187,49 @@ class Simulation:
         return AngleDerivatives(now, curvatures)
 
     def _run_cached(
-        self, device: Device, inputs: ReplayInputs, shift: float = 0.0
-    ) -> ChannelValues:
-        """`_run_coarse` with the start angle shifted, rad; recent results are kept."""
-        key = id(device), id(inputs), shift
-        if key in self._cache:
-            return self._cache[key][-1]
-        shifted = replace(inputs, start_angle=inputs.start_angle + shift)
-        values = self._run_coarse(device, shifted)
-        self._cache[key] = device, inputs, values
+        self, device: Device, inputs: ReplayInputs, shifts: Sequence[float] = (0.0,)
+    ) -> list[ChannelValues]:
+        """`_run_coarse` with the start angle shifted by each of these, rad; recent results are
+        kept."""
+        keys = {shift: (id(device), id(inputs), shift) for shift in shifts}
+        due = [shift for shift in shifts if keys[shift] not in self._cache]
+        angle = inputs.start_angle
+        shifted = [(device, replace(inputs, start_angle=angle + shift)) for shift in due]
+        for shift, values in zip(due, self._run_coarse(shifted), strict=True):
+            self._cache[keys[shift]] = device, inputs, values
+        answers = [self._cache[key][-1] for key in keys.values()]
         while sum(len(i.log.time) for _, i, _ in self._cache.values()) > MAX_CACHED_ROWS:
             self._cache.popitem(last=False)
-        return values
+        return answers
 
-    def _run_coarse(self, device: Device, inputs: ReplayInputs) -> dict[str, Array]:
-        """With quasi-steady loops unless the test is short, in steps that suffice for small
-        differences."""
-        if is_short(len(inputs.log.time), inputs.log.interval):
-            return replay_sampled(self.sampled, device, inputs, STEPS_PER_FINE_ROW)
-        interval = inputs.log.interval
-        if not inputs.log.drive_on.all():  # a free pattern turns fast
+    def _run_coarse(
+        self, runs: Sequence[tuple[Device, ReplayInputs]]
+    ) -> Sequence[dict[str, Array]]:
+        """Runs of one log with quasi-steady loops unless the test is short, in steps that suffice
+        for small differences."""
+        if not runs:
+            return []
+        log = runs[0][1].log
+        if is_short(len(log.time), log.interval):
+            step = _choose_sampled_step(log.interval, STEPS_PER_FINE_ROW)
+            return replays.replay_together(self.sampled, runs, step)
+        if not log.drive_on.all():  # a free pattern turns fast
             step = QUASI_STEADY_STEP
         else:
-            step = interval / STEPS_PER_FINE_ROW if interval < FINE_ROW else COARSE_STEP
-        return replay_inputs(self.quasi_steady, device, inputs, step)
+            step = log.interval / STEPS_PER_FINE_ROW if log.interval < FINE_ROW else COARSE_STEP
+        return replays.replay_together(self.quasi_steady, runs, step)
 
 
-def replay_sampled(
-    fmu: GyroFmu, device: Device, inputs: ReplayInputs, steps: int = STEPS_PER_ROW
-) -> dict[str, Array]:
-    """A replay with sampled loops; communication steps are whole numbers of control periods."""
-    periods = round(inputs.log.interval / CONTROL_PERIOD)
+def replay_sampled(fmu: GyroFmu, device: Device, inputs: ReplayInputs) -> dict[str, Array]:
+    """A replay with sampled loops."""
+    return replay_inputs(fmu, device, inputs, _choose_sampled_step(inputs.log.interval))
+
+
+def _choose_sampled_step(interval: float, steps: int = STEPS_PER_ROW) -> float:
+    """Communication step of about so many in a row, a whole number of control periods, s."""
+    periods = round(interval / CONTROL_PERIOD)
     each = next(n for n in range(max(periods // steps, 1), 0, -1) if periods % n == 0)
-    return replay_inputs(fmu, device, inputs, each * CONTROL_PERIOD)
+    return each * CONTROL_PERIOD
 
 
 def is_short(rows: int, interval: float) -> bool:

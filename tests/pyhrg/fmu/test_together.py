@@ -145,10 +145,16 @@ def test_without_a_compiler_it_goes_one_by_one(
 
 @pytest.mark.parametrize(("model", "rows"), [("HRGSlow", 30), ("HRGCarrier", 1)])
 def test_other_models(model: str, rows: int, tries: list[bool]) -> None:
-    """Quasi-steady loops go one by one: their step is a parameter. The carrier's go together."""
     cases: list[Case] = [({}, seed, 0.4 * seed) for seed in range(3)]
     check(GyroFmu(build_fmu(model)), cases, rows)
-    assert tries == ([True] if model == "HRGCarrier" else [])
+    assert tries == [True]
+
+
+def test_quasi_steady_gyros_of_other_steps_go_one_by_one(tries: list[bool]) -> None:
+    """Their step is a parameter."""
+    cases: list[Case] = [({"samplePeriod": period}, 0, 0.4) for period in (0.01, 0.02)]
+    check(GyroFmu(build_fmu("HRGSlow")), cases)
+    assert tries == [False]
 
 
 EXPLOSIVE = {"resonator.material.duffing": 100.0, "startAmplitude": 10.0}

@@ -151,7 +151,8 @@ def test_sensitivities_hold_for_small_effects(simulation: Simulation) -> None:
     device = replace(QUIET, phase_error=0.0)
     observed = observe_test(Test("test", "static", "fit", made_up_log(20000, noise=0.0)), device)
     effect, size = EFFECTS["demodulation_phase_error"], 1e-5
-    change = simulation.make_difference_from(device, observed)(effect.put(device, np.array([size])))
+    other = effect.put(device, np.array([size]))
+    (change,) = simulation.compute_differences(device, [other], observed)
     predicted = compute_sensitivities(simulation, device, observed, [effect])[effect]
     for name in ("gyro_angle", "quadrature_force"):
         largest = np.abs(change[name]).max()

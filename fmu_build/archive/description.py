@@ -6,6 +6,7 @@ from importlib.metadata import version
 
 from fmu_build.archive.licences import read_licence
 from fmu_build.archive.units import add_unit_definitions
+from fmu_build.equations.case_angle import ANGLE
 from fmu_build.equations.dae import Dae
 from fmu_build.equations.dependencies import trace_dependencies
 from fmu_build.equations.scalars import Scalar, list_scalars
@@ -20,6 +21,7 @@ LOG_CATEGORIES = {
 
 FMI2_CAPABILITIES = (
     "canHandleVariableCommunicationStepSize",
+    "canInterpolateInputs",
     "canGetAndSetFMUstate",
     "canSerializeFMUstate",
     "providesDirectionalDerivative",
@@ -70,7 +72,10 @@ def describe_fmi3(dae: Dae, model: Root, token: str) -> str:
     variables = _common(root, listed, model.step)
     for scalar in listed:
         kind = "Int32" if scalar.whole else "Float64"
-        ET.SubElement(variables, kind, _head(scalar) | _list_type_attributes(scalar))
+        head = _head(scalar) | _list_type_attributes(scalar)
+        if scalar.causality in ("input", "output") and scalar.name != ANGLE:
+            head["intermediateUpdate"] = "true"
+        ET.SubElement(variables, kind, head)
     ET.SubElement(
         variables,
         "Float64",

@@ -10,7 +10,14 @@ TERMINALS = (
     (
         "caseMotion",
         "Motion of the case: from a trajectory, a rate table or a vehicle",
-        ("angularRate", "accelerationX", "accelerationY", "accelerationZ", "vibration"),
+        (
+            "angularRate",
+            "caseAngle",
+            "accelerationX",
+            "accelerationY",
+            "accelerationZ",
+            "vibration",
+        ),
     ),
     ("environment", "Temperature of the case", ("caseTemperature",)),
     (

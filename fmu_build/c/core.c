@@ -27,6 +27,30 @@ static void refresh_held(Core *core) {
   core->held_fresh = 1;
 }
 
+void core_slope(Core *core, unsigned input, double slope) {
+  for (int i = 0; i < MODEL_INPUTS; i++)
+    if (model_inputs[i] == input) core->slopes[i] = slope;
+  core->is_sloping = 1;
+}
+
+void core_hold(Core *core) {
+  if (core->is_sloping) memset(core->slopes, 0, sizeof core->slopes);
+  core->is_sloping = 0;
+}
+
+static void move_inputs(Core *core, double h) {
+  if (!core->is_sloping) return;
+  for (int i = 0; i < MODEL_INPUTS; i++) core->v[model_inputs[i]] += h * core->slopes[i];
+  model_held(core->v);
+}
+
+/* Inputs that change count by their mean, so that a rate's integral is exact. */
+static void integrate(Core *core, double h) {
+  move_inputs(core, 0.5 * h);
+  model_step(core->v, h);
+  move_inputs(core, 0.5 * h);
+}
+
 void core_initialize(Core *core, double start) {
   core->start = start;
   core->offset = 0.0;
@@ -43,14 +67,14 @@ void core_advance(Core *core, double time) {
   const double slack = same_instant(time, period);
   double target = (time - core->start) / period;
   while ((double)core->ticks <= target + slack) {
-    model_step(core->v, period - core->offset);
+    integrate(core, period - core->offset);
     model_tick(core->v, core->ticks);
     core->offset = 0.0;
     core->ticks++;
   }
   double rest = (target - (double)(core->ticks - 1)) * period;
   if (rest - core->offset > slack * period) {
-    model_step(core->v, rest - core->offset);
+    integrate(core, rest - core->offset);
     core->offset = rest;
   }
   core->outputs_fresh = 0;

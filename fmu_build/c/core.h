@@ -6,6 +6,8 @@
 
 typedef struct {
   real v[MODEL_VARIABLES];
+  real slopes[MODEL_INPUTS + 1]; /* of model_inputs: change per second */
+  int is_sloping;                /* whether there is any slope */
   double start;      /* time of the first tick */
   double offset;     /* time since the last tick */
   long long ticks;   /* ticks executed */
@@ -19,6 +21,10 @@ void core_reset(Core *core);
 void core_settle(Core *core);
 /* To be called after an input was set. */
 void core_touch(Core *core);
+/* From here on an input of model_inputs changes evenly, at a slope. */
+void core_slope(Core *core, unsigned input, double slope);
+/* From here on inputs hold. */
+void core_hold(Core *core);
 /* Execute the tick at the start time. */
 void core_initialize(Core *core, double start);
 /* Integrate to a time; a tick that falls on it is executed. */

@@ -2,6 +2,7 @@
 #include "fmi2Functions.h"
 
 #include "derivative.h"
+#include "inputs.h"
 #include "instance.h"
 #include "snapshot.h"
 
@@ -139,14 +140,12 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2ValueReferenc
   return status(derivative_directional(c, unknowns, nu, knowns, nk, seed, sensitivity));
 }
 
-/* Inputs hold over a step and outputs are sampled: canInterpolateInputs is false, and
-   maxOutputDerivativeOrder 0. */
 fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, const fmi2ValueReference vr[], size_t n,
                                        const fmi2Integer order[], const fmi2Real value[]) {
-  (void)vr, (void)order, (void)value;
-  return none(c, n, SETTABLE, "fmi2SetRealInputDerivatives");
+  return status(inputs_set_slopes(c, vr, n, order, value));
 }
 
+/* Outputs are sampled: maxOutputDerivativeOrder is 0. */
 fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const fmi2ValueReference vr[], size_t n,
                                         const fmi2Integer order[], fmi2Real value[]) {
   (void)vr, (void)order, (void)value;

@@ -173,13 +173,14 @@ fmi3Status fmi3SetClock(fmi3Instance c, const fmi3ValueReference vr[], size_t n,
   return none(c, n, SETTABLE, "fmi3SetClock");
 }
 
-/* Every tick within a step is an intermediate update, at which variables can be read and the step
-   can be cut short: at the tick, or at a later time before the end. */
+/* Every tick within a step is an intermediate update, at which inputs can be set from there on,
+   variables can be read and the step can be cut short: at the tick, or at a later time before the
+   end. */
 static void between(Instance *instance, double *end) {
   const Component *component = (const Component *)instance;
   fmi3Boolean requested = fmi3False;
   fmi3Float64 until = instance->now.time;
-  component->update(instance->listener.environment, instance->now.time, fmi3False, fmi3True, fmi3True,
+  component->update(instance->listener.environment, instance->now.time, fmi3True, fmi3True, fmi3True,
                     component->may_return_early, &requested, &until);
   if (requested && component->may_return_early && until < *end)
     *end = until > instance->now.time ? until : instance->now.time;

@@ -1,5 +1,6 @@
 #include "instance.h"
 
+#include "inputs.h"
 #include "limits.h"
 #include "number.h"
 
@@ -132,6 +133,7 @@ int instance_exit_initialization(Instance *instance) {
   core_initialize(&instance->now.core, instance->now.start);
   const char *bad = first_not_finite(&instance->now.core);
   if (bad) return fail(instance, bad);
+  instance->now.angle = inputs_angle(&instance->now.core);
   instance->now.phase = STEPPING;
   instance_note(instance, "initialized");
   return 1;
@@ -213,8 +215,11 @@ static int can_set(Instance *instance, unsigned reference, Kind kind, double val
   const Limits *limit = &limits[reference];
   if (limit->settable == SET_NEVER)
     return instance_refuse(instance, "%s can't be set at all", limit->name);
-  if (limit->settable == SET_PARAMETER && instance->now.phase == STEPPING)
+  if (limit->settable == SET_PARAMETER && !(IN(instance->now.phase) & BEFORE_STEPS))
     return instance_refuse(instance, "%s can't be set after initialization", limit->name);
+  if (reference == MODEL_ANGLE && instance->now.phase == UPDATING)
+    return instance_refuse(instance, "%s is that of the step's end, and can't be set within it",
+                           limit->name);
   if (!(value >= limit->minimum && value <= limit->maximum)) /* catches NaN */
     return instance_refuse(instance, "%s = %s is outside its range%s", limit->name, NUMBER(value),
                            RANGE(limit->minimum, limit->maximum));
@@ -231,7 +236,7 @@ int instance_set(Instance *instance, const unsigned *references, size_t n, Kind 
   Core *core = &instance->now.core;
   for (size_t i = 0; i < n; i++) core->v[references[i]] = given(values, i, kind);
   core_touch(core);
-  if (instance->now.phase != STEPPING) core_settle(core);
+  if (IN(instance->now.phase) & BEFORE_STEPS) core_settle(core);
   instance_touch(instance);
   return 1;
 }
@@ -257,7 +262,7 @@ static double told_advance(Instance *instance, double end, Between between) {
   now->phase = UPDATING;
   while (core_ticks_before(&now->core, end)) {
     now->time = core_next_tick(&now->core);
-    core_advance(&now->core, now->time);
+    inputs_advance(instance, now->time);
     between(instance, &end);
   }
   now->phase = STEPPING;
@@ -265,12 +270,15 @@ static double told_advance(Instance *instance, double end, Between between) {
 }
 
 int instance_step(Instance *instance, double time, double step, Between between) {
-  if (!instance_may(instance, IN(STEPPING), "a step") || !is_step(instance, time, step)) return 0;
+  if (!instance_may(instance, IN(STEPPING), "a step") || !is_step(instance, time, step) ||
+      !inputs_begin(instance, step))
+    return 0;
   Situation *now = &instance->now;
   /* a begin that is early within the slack does not turn time back */
-  double end = fmax(time + step, now->time);
-  if (between) end = told_advance(instance, end, between);
-  core_advance(&now->core, end);
+  const double begin = now->time, whole = fmax(time + step, begin);
+  double end = between ? told_advance(instance, whole, between) : whole;
+  inputs_advance(instance, end);
+  inputs_end(instance, end - begin, end == whole);
   now->time = end;
   if (model_is_finite(now->core.v)) return 1;
   const char *bad = first_not_finite(&now->core);

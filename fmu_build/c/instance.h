@@ -17,7 +17,7 @@ typedef enum { INSTANTIATED, INITIALIZING, STEPPING, UPDATING, FAILED, TERMINATE
 
 #define IN(phase) (1u << (phase))
 #define BEFORE_STEPS (IN(INSTANTIATED) | IN(INITIALIZING))
-#define SETTABLE (BEFORE_STEPS | IN(STEPPING))
+#define SETTABLE (BEFORE_STEPS | IN(STEPPING) | IN(UPDATING))
 #define READABLE (IN(INITIALIZING) | IN(STEPPING) | IN(UPDATING) | IN(FAILED) | IN(TERMINATED))
 #define OUTSIDE_A_STEP (BEFORE_STEPS | IN(STEPPING) | IN(FAILED) | IN(TERMINATED))
 #define ALWAYS (OUTSIDE_A_STEP | IN(UPDATING))
@@ -40,6 +40,8 @@ typedef struct {
   Phase phase;
   double time, start, stop;
   int stop_defined;
+  double angle;     /* of the case, reached by the input MODEL_ANGLE */
+  double turn_rate; /* within a step: at which it changes */
 } Situation;
 
 typedef struct Instance {

@@ -6,6 +6,8 @@
 #include "model_constants.h"
 #include "real.h"
 
+/* Continuous inputs, which may change evenly within a step. */
+extern const unsigned model_inputs[MODEL_INPUTS + 1];
 /* Default values of settable parameters and inputs. */
 void model_defaults(real *v);
 /* Dependent parameters, from the settable ones. */

@@ -19,6 +19,7 @@ typedef struct {
   long long ticks;
   double time, start, stop, first_tick, offset;
   double v[MODEL_VARIABLES];
+  double angle, slopes[MODEL_INPUTS + 1];
 } Record;
 
 static int are_given(Instance *instance, const void *one, const void *other) {
@@ -46,6 +47,8 @@ static void encode(const Situation *s, Record *record) {
   record->first_tick = s->core.start;
   record->offset = s->core.offset;
   memcpy(record->v, s->core.v, sizeof record->v);
+  record->angle = s->angle;
+  memcpy(record->slopes, s->core.slopes, sizeof record->slopes);
   record->digest = digest_of(record);
 }
 
@@ -60,6 +63,9 @@ static void decode(const Record *record, Situation *s) {
   s->core.start = record->first_tick;
   s->core.offset = record->offset;
   memcpy(s->core.v, record->v, sizeof record->v);
+  s->angle = record->angle;
+  for (int i = 0; i < MODEL_INPUTS; i++)
+    if (record->slopes[i] != 0.0) core_slope(&s->core, model_inputs[i], record->slopes[i]);
 }
 
 static int has_possible_times(const Situation *s) {
@@ -89,11 +95,19 @@ static int is_intact(Instance *instance, const Record *record) {
   return 1;
 }
 
+static int are_finite(const double *values, int n) {
+  for (int i = 0; i < n; i++)
+    if (!isfinite(values[i])) return 0;
+  return 1;
+}
+
 static int is_possible(Instance *instance, const Situation *s) {
   for (int i = 0; i < MODEL_VARIABLES; i++)
     if (!is_possible_value(i, s->core.v[i]))
       return instance_refuse(instance, "the saved state has %s = %s, which is outside its range",
                              limits[i].name, NUMBER(s->core.v[i]));
+  if (!isfinite(s->angle) || !are_finite(s->core.slopes, MODEL_INPUTS))
+    return instance_refuse(instance, "the saved state has impossible changes of inputs");
   return has_possible_times(s) || instance_refuse(instance, "the saved state has impossible times");
 }
 

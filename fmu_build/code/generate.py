@@ -8,6 +8,7 @@ from itertools import groupby
 from fmu_build.code.accesses import can_replace
 from fmu_build.code.emit import Emitter, name_function
 from fmu_build.code.functions import write_alternatives, write_function
+from fmu_build.equations.case_angle import ANGLE, RATE
 from fmu_build.equations.dae import Dae
 from fmu_build.equations.sorting import Assignment, Schedule, sort_equations
 
@@ -24,6 +25,7 @@ def generate_source(dae: Dae, integrator: str = "runge_kutta_4") -> str:
         f"/* {dae.model}: generated from its Modelica source. */",
         '#include "arithmetic.h"',
         '#include "model.h"',
+        _inputs(dae),
         *_functions(dae, "\n".join(derivatives)),
         *_procedure("void model_parameters(real *v)", _stores(dae, plan.parameters)),
         *_procedure("void model_defaults(real *v)", _defaults(dae)),
@@ -43,7 +45,20 @@ def generate_header(dae: Dae) -> str:
     period = f"{dae.sample_period.numerator}.0 / {dae.sample_period.denominator}.0"
     if dae.settable_period is not None:
         period = f"(v)[{dae.settable_period.offset}]"
-    return f"#define MODEL_VARIABLES {dae.scalar_count}\n#define MODEL_PERIOD(v) ({period})\n"
+    offsets = {v.name: v.offset for v in dae.variables}
+    lines = [
+        f"#define MODEL_VARIABLES {dae.scalar_count}",
+        f"#define MODEL_INPUTS {len(_scalars(dae, 'input'))}",
+        f"#define MODEL_PERIOD(v) ({period})",
+        f"#define MODEL_ANGLE {offsets.get(ANGLE, dae.scalar_count)}",
+        f"#define MODEL_RATE {offsets.get(RATE, 0)}",
+    ]
+    return "\n".join([*lines, ""])
+
+
+def _inputs(dae: Dae) -> str:
+    offsets = "".join(f"{offset}, " for offset in _scalars(dae, "input"))
+    return f"const unsigned model_inputs[MODEL_INPUTS + 1] = {{{offsets}0}};"
 
 
 def _functions(dae: Dae, derivatives: str) -> list[str]:

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import rumoca
 
+from fmu_build.equations.case_angle import add_case_angle
 from fmu_build.equations.compiler_document import read_document
 from fmu_build.equations.dae import Dae
 from pyhrg.common.errors import HrgError
@@ -36,6 +37,6 @@ def translate(library: Path, model: str, source: str = "", file: Path | None = N
             f"rumoca wrote schema {document['schema_version']}; expected {SCHEMA_VERSION}"
         )
     try:
-        return read_document(model, document["storage"], document["source_map"])
+        return add_case_angle(read_document(model, document["storage"], document["source_map"]))
     except ValueError as error:
         raise HrgError(f"{model}: {error}") from error

@@ -1,4 +1,5 @@
 /* Several instances of the FMU recorded together, each as `pyhrg.fmu.loops.record` does one. */
+#include "inputs.h"
 #include "instance.h"
 #include "lanes.h"
 #include "limits.h"
@@ -45,7 +46,7 @@ static int are_inputs_and_outputs(const Plan *plan) {
   for (int group = MOVING; group < GROUPS; group++)
     for (size_t k = 0; k < plan->counts[group]; k++) {
       unsigned reference = plan->references[group][k];
-      if (reference >= MODEL_VARIABLES || limits[reference].integer) return 0;
+      if (reference >= MODEL_VARIABLES || limits[reference].integer || reference == MODEL_ANGLE) return 0;
       if (group <= HELD && limits[reference].settable != SET_INPUT) return 0;
     }
   return 1;
@@ -60,6 +61,7 @@ static int can_start(const Flight *flight) {
     const Situation *now = &flight->gyros[i].instance->now;
     if (now->phase != STEPPING || now->stop_defined || now->core.start != first->core.start ||
         MODEL_PERIOD(now->core.v) != MODEL_PERIOD(first->core.v) ||
+        now->core.is_sloping || now->angle != inputs_angle(&now->core) ||
         now->core.offset != first->core.offset || now->core.ticks != first->core.ticks ||
         !(fabs(plan->start - now->time) <= 1e-9 * (1.0 + fabs(now->time))) ||
         !(plan->step > 0.0 && plan->start + duration < LATEST_TIME - 1.0))

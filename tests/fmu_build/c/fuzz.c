@@ -25,7 +25,7 @@ typedef enum { FRESH, INITIALIZING, RUNNING, FAILED, OVER } Phase;
 /* What the fuzzer knows of the instance. */
 typedef struct {
   Phase phase;
-  double time;
+  double time, angle; /* angle: of the case */
   int on_tick;
 } Known;
 
@@ -111,7 +111,7 @@ static int judged(const char *call, int legal, int success) {
 }
 #define JUDGE(call, legal, expression) (prepare(legal), judged(call, legal, expression))
 
-static void forget(void) { known = (Known){FRESH, 0.0, 1}; }
+static void forget(void) { known = (Known){FRESH, 0.0, 0.0, 1}; }
 
 static void create(void) {
   for (int i = 0; i < SAVED; i++) {
@@ -140,6 +140,19 @@ static double tick(void) {
   while (strcmp(limits[r].name, "samplePeriod") != 0) r++;
   if (known.phase == RUNNING && !door_get(handle, &r, 1, 0, &period)) finding("no period");
   return period;
+}
+
+static double input(Reference r) {
+  double value = 0.0;
+  if (!door_get(handle, &r, 1, 0, &value)) finding("an input can't be read");
+  return value;
+}
+
+/* Whether the case can turn in a step to the angle that is set. */
+static int can_turn(double step) {
+  if (known.phase != RUNNING) return 0;
+  double turn = input(MODEL_ANGLE) - known.angle, rate = input(MODEL_RATE) + turn / step;
+  return turn == 0.0 || (rate >= limits[MODEL_RATE].minimum && rate <= limits[MODEL_RATE].maximum);
 }
 
 static int is_open(void) { return known.phase != FRESH && known.phase != FAILED; }
@@ -194,6 +207,7 @@ static void try_exit(void) {
   if (!may_fail("end of initialization", legal, door_exit(handle))) return;
   known.phase = RUNNING;
   known.on_tick = 1;
+  known.angle = input(MODEL_ANGLE);
   if (!compared) return;
   all_values(at_start);
   same_values(during, at_start, "during initialization", "at its end");
@@ -213,8 +227,10 @@ static void try_step(void) {
   } else if (chance(30)) {
     step *= between(0.1, 1.0) * (chance(5) ? 1e-9 : 1.0);
   }
+  legal = legal && can_turn(step);
   prepare(legal);
   if (may_fail("a step", legal, door_step(handle, time, step))) {
+    known.angle = input(MODEL_ANGLE);
     known.time = fmax(time + step, known.time);
     known.on_tick &= exact && step > 0.9 * period && fabs(step / period - round(step / period)) < 1e-9;
   }
@@ -224,6 +240,7 @@ static void try_step(void) {
    states that grow beyond all bounds overflows before they do, by a step. */
 static void must_fail(void) {
   double period = tick();
+  if (known.phase == RUNNING && !can_turn(period)) return;
   prepare(1);
   if (may_fail("what follows", 1, known.phase == INITIALIZING ? door_exit(handle)
                                                               : door_step(handle, known.time, period)))
@@ -361,6 +378,7 @@ static void try_corrupt(void) {
 static void try_partition(void) {
   static double whole[MODEL_VARIABLES], parts[MODEL_VARIABLES];
   if (known.phase != RUNNING || !known.on_tick || known.time > 1e6) return;
+  if (input(MODEL_ANGLE) != known.angle) return; /* the first step turns the case */
   void *state = NULL;
   int ticks = 2 + below(30);
   double period = tick();

@@ -138,7 +138,7 @@ static inline real m_log(real x) {
          ((half - (s * (half + r) + k * 1.90821492927058770002e-10)) - f);
 }
 
-/* For |x| < 700. */
+/* Right for |x| < 700; 0 or infinite well beyond. */
 static inline real m_exp(real x) {
   real n = m_floor(x * 1.4426950408889634073599 + 0.5);
   x = (x - n * 6.93145751953125e-1) - n * 1.42860682030941723212e-6;
@@ -149,7 +149,8 @@ static inline real m_exp(real x) {
               2.27265548208155028766e-1) *
                  z +
              2.00000000000000000005e0;
-  bits all = TO_BITS(n + 1023.0) << 52;
+  real power = CHOOSE(n > -1023.0, n, -1023.0);
+  bits all = TO_BITS(CHOOSE(power < 1024.0, power, 1024.0) + 1023.0) << 52;
   real scale;
   memcpy(&scale, &all, sizeof scale);
   return (1.0 + 2.0 * p / (q - p)) * scale;

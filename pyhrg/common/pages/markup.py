@@ -38,7 +38,10 @@ def make_choice(key: str, title: str, options: Mapping[str, str], selected: str 
         f"{html.escape(text)}</option>"
         for value, text in options.items()
     )
-    return f'<label>{title} <select name="{key}" autocomplete="off">{listed}</select></label>'
+    return (
+        f'<label>{html.escape(title)} <select name="{html.escape(key)}" autocomplete="off">'
+        f"{listed}</select></label>"
+    )
 
 
 def embed_json(content: Mapping[str, object]) -> str:

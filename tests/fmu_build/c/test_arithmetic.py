@@ -73,6 +73,12 @@ def test_arctangent_on_the_axes(kernel: ctypes.CDLL) -> None:
     assert np.array_equal(evaluate(kernel, "arctangent", y, x), np.arctan2(y, x))
 
 
+def test_exponential_beyond_a_double(kernel: ctypes.CDLL) -> None:
+    x = np.array([-1e300, -1e9, -1500.0, 1500.0, 1e9, np.nan])
+    ends = np.array([0.0, 0.0, 0.0, np.inf, np.inf, np.nan])
+    np.testing.assert_array_equal(evaluate(kernel, "exponential", x), ends)
+
+
 def test_floor_at_and_beside_whole_numbers(kernel: ctypes.CDLL) -> None:
     whole = np.array([-3.0, -1.0, 0.0, 1.0, 2.0, 1e9])
     x = np.concatenate([np.nextafter(whole, -np.inf), whole, np.nextafter(whole, np.inf), [0.5]])

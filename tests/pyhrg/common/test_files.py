@@ -57,7 +57,8 @@ def test_what_a_killed_writer_leaves_goes_with_a_later_write(
     with subprocess.Popen(
         [sys.executable, "-c", script, str(out)], stdout=subprocess.PIPE
     ) as writer:
-        assert writer.stdout and writer.stdout.readline() == b"writing\n"
+        assert writer.stdout is not None
+        assert writer.stdout.readline() == b"writing\n"
         writer.send_signal(signal.SIGKILL)
     assert (out / "file").read_text() == "new"
     assert list_hidden(tmp_path)

@@ -138,7 +138,7 @@ static inline real m_log(real x) {
          ((half - (s * (half + r) + k * 1.90821492927058770002e-10)) - f);
 }
 
-/* Right for |x| < 700; 0 or infinite well beyond. */
+/* Right for |x| < 700; 0 or infinite beyond, for |x| < 2^50. */
 static inline real m_exp(real x) {
   real n = m_floor(x * 1.4426950408889634073599 + 0.5);
   x = (x - n * 6.93145751953125e-1) - n * 1.42860682030941723212e-6;

@@ -141,8 +141,7 @@ class Simulation:
     def compute_difference(self, low: Device, high: Device, test: ObservedTest) -> dict[str, Array]:
         """(n,) by channel, SI: output of `high` less that of `low`, for devices that differ
         little."""
-        first, last = (self._run_cached(device, test.inputs)[0] for device in (low, high))
-        return _subtract(first, last, low, high, test)
+        return self.compute_differences(low, [high], test)[0]
 
     def compute_differences(
         self, device: Device, others: Sequence[Device], test: ObservedTest
@@ -154,8 +153,7 @@ class Simulation:
         differences = []
         for other in others:
             if self._is_read_out(device, other, test):
-                change = replays.read_change(first, device, other, test.log)
-                last = add_channels(first, change)
+                last = add_channels(first, replays.read_change(first, device, other, test.log))
             else:
                 last = next(runs)
             differences.append(_subtract(first, last, device, other, test))
@@ -193,8 +191,7 @@ class Simulation:
         kept."""
         keys = {shift: (id(device), id(inputs), shift) for shift in shifts}
         due = [shift for shift in shifts if keys[shift] not in self._cache]
-        angle = inputs.start_angle
-        shifted = [(device, replace(inputs, start_angle=angle + shift)) for shift in due]
+        shifted = [(device, replace(inputs, start_angle=inputs.start_angle + s)) for s in due]
         for shift, values in zip(due, self._run_coarse(shifted), strict=True):
             self._cache[keys[shift]] = device, inputs, values
         answers = [self._cache[key][-1] for key in keys.values()]

@@ -6,6 +6,7 @@ from pathlib import Path
 import ins_eval
 from pyhrg.common.cli import collect_given, progress_bar, refuse
 from pyhrg.common.errors import HrgError
+from pyhrg.common.files import check_output_folder
 
 HELP = (
     "bench many gyros, fly them in many manoeuvres, and say which bench figure predicts the error"
@@ -38,6 +39,7 @@ def add_cluster_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> None:
+    check_output_folder(options.out)
     if options.study == CHALLENGE:
         _run_challenge(options)
         return

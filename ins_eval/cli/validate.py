@@ -6,6 +6,7 @@ from pathlib import Path
 import ins_eval
 from ins_eval.cli.study import add_cluster_options
 from pyhrg.common.cli import collect_given, progress_bar
+from pyhrg.common.files import check_output_folder
 
 HELP = "bench gyros, fly triads of them, and say which bench test predicts the position error"
 OPTIONS = ("seed", "hours", "triads", "calibration", "trajectory", "workers", "scheduler")
@@ -25,6 +26,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> None:
+    check_output_folder(options.out)
     with progress_bar("study", "triads") as progress:
         result = ins_eval.validate(
             options.out, progress=progress, **collect_given(options, OPTIONS)

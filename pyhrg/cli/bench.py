@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 import pyhrg
 
+from pyhrg.common.files import check_output_folder
+
 if TYPE_CHECKING:
     from pyhrg.bench.procedure import Procedure
 
@@ -73,6 +75,7 @@ def _list_tests(procedures: Sequence["Procedure"]) -> str:
 def run(options: argparse.Namespace) -> None:
     from pyhrg.bench.catalogue import PROCEDURES
 
+    check_output_folder(options.out)
     plan = {o.name: getattr(options, o.name) for p in PROCEDURES for o in p.options}
     results = pyhrg.run_tests(
         None if options.test == ALL else [options.test],

@@ -52,6 +52,8 @@ def _import(options: argparse.Namespace) -> None:
     from pyhrg.gap.soundness import describe_screening
     from pyhrg.records.campaign_import import import_campaign
 
+    if options.out is not None:
+        check_output_folder(options.out)
     imported = import_campaign(options.mapping, options.out)
     campaign = imported.campaign_as_read
     print(f"{imported.preview}\n\n{describe_screening(campaign)}\n\n{describe_readiness(campaign)}")

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pyhrg
 from pyhrg.common.cli import collect_given
+from pyhrg.common.files import check_output_folder
 
 HELP = "score the diagnosis on campaigns whose truth is sealed"
 COUNTS = {
@@ -68,6 +69,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> None:
+    check_output_folder(options.out)
     arguments = collect_given(options, ARGUMENTS)
     score = pyhrg.run_challenge(options.out, others=options.others, progress=True, **arguments)
     print(score.summary)

@@ -1,14 +1,25 @@
-"""Files and folders that appear whole or not at all."""
+"""Files and folders that appear whole or not at all.
+
+What is being written has a hidden name beside its place, and is locked until it is renamed. A
+killed process leaves it unlocked: the next write to the same place removes it. On Windows, and
+where a file system knows no locks, it stays.
+"""
 
 import errno
-import glob
 import os
+import re
 import shutil
+import sys
 import tempfile
-import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+
+if sys.platform != "win32":
+    import fcntl
+
+NEW, OLD = ".partial", ".old"
+"""Ends of hidden names: of what is being written, then of the folder that it replaces."""
 
 
 def check_output_folder(out: Path) -> None:
@@ -28,68 +39,25 @@ def is_file(path: str | Path) -> bool:
         return False
 
 
-ASIDE = ".hrg-"
-"""Part of the name of what is being written, after the name that it will have."""
-STAGE = ".hrg-partial-"
-"""Begin of the name of a folder in which the files of an output folder are made."""
-LEFTOVER_AGE = 86_400.0
-"""Age, s, above which what a killed command left behind is removed. Chosen: no command takes as
-long to fill a file or a folder."""
-
-
 def write_whole(path: Path, data: bytes) -> None:
-    """Write a file under another name, then rename it; nothing stays behind when that fails. What
-    a killed command left here goes with a later write."""
-    prefix = f".{path.name}{ASIDE}"
-    _remove_leftovers(path.parent, prefix)
-    handle, name = tempfile.mkstemp(prefix=prefix, dir=path.parent)
-    aside = Path(name)
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
+    """Write a file under another name, then rename it; nothing stays behind when that fails."""
+    with make_aside(path, _make_file) as aside:
+        aside.write_bytes(data)
         aside.chmod(0o644)
         aside.replace(path)
-    except BaseException:
-        aside.unlink(missing_ok=True)
-        raise
 
 
 @contextmanager
 def replace_folder(folder: Path) -> Iterator[Path]:
-    """Give a temporary folder that replaces `folder` and its content when the block succeeds. The
-    old folder is moved aside first and removed last, so that no kill loses both."""
+    """Give a temporary folder that replaces `folder` and its content when the block succeeds."""
     folder.parent.mkdir(parents=True, exist_ok=True)
-    prefix = f".{folder.name}{ASIDE}"
-    _remove_leftovers(folder.parent, prefix)
-    aside = Path(tempfile.mkdtemp(prefix=prefix, dir=folder.parent))
-    new, old = aside / "new", aside / "old"
-    try:
-        new.mkdir()
-        yield new
-        new.chmod(0o755)
+    with make_aside(folder) as aside:
+        yield aside
+        aside.chmod(0o755)
         if folder.exists():
-            folder.rename(old)
-        try:
-            new.rename(folder)
-        except BaseException:
-            if old.exists():
-                old.rename(folder)
-            raise
-    finally:
-        shutil.rmtree(aside, ignore_errors=True)
-
-
-def _remove_leftovers(folder: Path, prefix: str) -> None:
-    """Remove old files and folders whose names begin so: those of commands that were killed."""
-    oldest = time.time() - LEFTOVER_AGE
-    for path in folder.glob(f"{glob.escape(prefix)}*"):
-        with suppress(OSError):
-            if path.lstat().st_mtime > oldest:
-                continue
-            if path.is_dir() and not path.is_symlink():
-                shutil.rmtree(path, ignore_errors=True)
-            else:
-                path.unlink()
+            _exchange(aside, folder)
+        else:
+            aside.rename(folder)
 
 
 @contextmanager
@@ -102,16 +70,97 @@ def stage_files(out: Path, names: tuple[str, ...]) -> Iterator[Path]:
         for name in names:
             if (out / name).is_dir():
                 raise IsADirectoryError(21, f"{name} is a folder")
-        _remove_leftovers(out, STAGE)
-        aside = Path(tempfile.mkdtemp(prefix=STAGE, dir=out))
-        try:
+        with make_aside(out / "files") as aside:
             yield aside
             for name in names:
                 (aside / name).replace(out / name)
-        finally:
-            shutil.rmtree(aside, ignore_errors=True)
     except BaseException:
         for folder in made:
             if folder.is_dir():
                 folder.rmdir()
         raise
+
+
+def _exchange(aside: Path, folder: Path) -> None:
+    """Put a folder in the place of another. The old one has a hidden name in between, under which
+    the next write finds it where this process is killed."""
+    old = aside.with_name(aside.name + OLD)
+    with _lock(folder, wait=False):
+        try:
+            folder.rename(old)
+            aside.rename(folder)
+        finally:
+            if not folder.exists():
+                old.rename(folder)
+        _remove(old)
+
+
+@contextmanager
+def make_aside(
+    path: Path, make: Callable[[str, str, Path], str] = tempfile.mkdtemp
+) -> Iterator[Path]:
+    """Give a new, locked folder (or file) of a hidden name beside `path`; removed at the end if it
+    is still there. What killed processes left of theirs is cleared first."""
+    _clear_leftovers(path)
+    while True:
+        aside = Path(make(NEW, f".{path.name}.", path.parent))
+        with _lock(aside, wait=True):
+            if not aside.exists():  # another process took it for a leftover
+                continue
+            try:
+                yield aside
+            finally:
+                _remove(aside)
+            return
+
+
+def _make_file(suffix: str, prefix: str, folder: Path) -> str:
+    """As `tempfile.mkdtemp`, an empty file."""
+    handle, name = tempfile.mkstemp(suffix, prefix, folder)
+    os.close(handle)
+    return name
+
+
+def _clear_leftovers(path: Path) -> None:
+    """Remove what killed processes left beside `path`; a folder that they were replacing goes back
+    to its place where nothing is there."""
+    ends = f"{re.escape(NEW)}({re.escape(OLD)})?"
+    pattern = re.compile(rf"\.{re.escape(path.name)}\.[a-z0-9_]{{8}}{ends}")
+    with suppress(OSError):
+        for name in filter(pattern.fullmatch, os.listdir(path.parent)):
+            leftover = path.with_name(name)
+            with _lock(leftover, wait=False) as held:
+                if held and name.endswith(OLD) and not path.exists():
+                    leftover.rename(path)
+                elif held:
+                    _remove(leftover)
+
+
+@contextmanager
+def _lock(path: Path, wait: bool) -> Iterator[bool]:
+    """Lock a file or folder until the block ends, at the latest until this process does; says
+    whether it is locked: not where it is gone, another process has it, or there are no locks."""
+    if sys.platform == "win32":
+        yield False
+        return
+    try:
+        handle = os.open(path, os.O_RDONLY)
+    except OSError:
+        yield False
+        return
+    try:
+        held = True
+        try:
+            fcntl.flock(handle, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))
+        except OSError:
+            held = False
+        yield held
+    finally:
+        os.close(handle)
+
+
+def _remove(path: Path) -> None:
+    if path.is_dir() and not path.is_symlink():
+        shutil.rmtree(path, ignore_errors=True)
+    else:
+        path.unlink(missing_ok=True)

@@ -3,7 +3,6 @@
 import contextlib
 import hashlib
 import shutil
-import tempfile
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -12,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.common.errors import HrgError
+from pyhrg.common.files import make_aside
 from pyhrg.common.reading.archives import open_archive
 from pyhrg.common.reading.failures import refuse_unreadable
 from pyhrg.common.reading.files import read_bytes
@@ -62,15 +62,12 @@ def _extract(path: Path) -> Path:
     digest = hashlib.sha256(read_bytes(path, LOG_BYTES)).hexdigest()[:16]
     folder = path.with_name(f"{path.stem}-{digest}")
     if not _is_extracted(path, folder):
-        aside = Path(tempfile.mkdtemp(prefix=".partial-", dir=path.parent))
-        try:
+        with make_aside(folder) as aside:
             fmpy.extract(str(path), str(aside))
             if not _is_extracted(path, folder):  # another process may have been faster
                 shutil.rmtree(folder, ignore_errors=True)
             with contextlib.suppress(OSError):  # it was
                 aside.rename(folder)
-        finally:
-            shutil.rmtree(aside, ignore_errors=True)
     return folder
 
 

@@ -20,8 +20,6 @@ IDENTITY = "identity.json"
 BLOCK_FOLDER = "blocks"
 LOCK = ".lock"
 """File in the folder that is locked on Windows, where a folder can't be."""
-PARTIAL = ".partial-*"
-"""Folders of unfinished files, which a killed command leaves."""
 
 
 @dataclass(frozen=True)
@@ -66,8 +64,6 @@ def claim_folder(path: Path, identity: Identity) -> Iterator[StudyFolder]:
     handle = _lock(path)
     try:
         _check(path, identity)
-        for unfinished in path.glob(PARTIAL):
-            shutil.rmtree(unfinished)
         yield StudyFolder(path, identity)
     finally:
         os.close(handle)

@@ -1,100 +1,116 @@
-"""Files and folders that are whole or not there, also when the writer is killed."""
+"""Files and folders appear whole or not at all, where the process is killed too."""
 
-import os
 import signal
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from pyhrg.common.files import LEFTOVER_AGE, replace_folder, stage_files, write_whole
+from pyhrg.common.files import replace_folder, stage_files, write_whole
 
-FOLDER_WRITER = """
-import sys, time
+KILL = "os.kill(os.getpid(), signal.SIGKILL)"
+START = """
+import os, shutil, signal
 from pathlib import Path
-from pyhrg.common.files import replace_folder
-with replace_folder(Path(sys.argv[1])) as aside:
-    (aside / "half").write_text("half")
-    print("writing", flush=True)
-    time.sleep(60)
+from pyhrg.common import files
 """
-STAGE_WRITER = FOLDER_WRITER.replace("replace_folder(Path(sys.argv[1]))", "stage").replace(
-    "import replace_folder",
-    'import stage_files\nstage = stage_files(Path(sys.argv[1]), ("half",))',
+FILE = START + f"Path.replace = lambda *names: {KILL}; files.write_whole(Path('out'), b'new')"
+UNFINISHED = START + (
+    f"\nwith files.replace_folder(Path('out')) as aside:\n (aside / 'new').touch(); {KILL}"
+)
+BETWEEN = (
+    START
+    + f"""
+rename = Path.rename
+def kill_at_second(path, target):
+    if path.name.endswith('.partial'):
+        {KILL}
+    return rename(path, target)
+Path.rename = kill_at_second
+with files.replace_folder(Path('out')) as aside:
+    (aside / 'new').touch()
+"""
+)
+DELETING = (
+    START
+    + f"""
+shutil.rmtree = lambda *given, **more: {KILL}
+with files.replace_folder(Path('out')) as aside:
+    (aside / 'new').touch()
+"""
+)
+STAGED = START + (
+    f"\nwith files.stage_files(Path('out'), ('new',)) as aside:\n (aside / 'new').touch(); {KILL}"
 )
 
 
-def write_folder(out: Path) -> None:
-    with replace_folder(out) as aside:
-        (aside / "file").write_text("new")
+def run_killed(code: str, folder: Path) -> None:
+    run = subprocess.run([sys.executable, "-c", code], cwd=folder, capture_output=True, text=True)
+    assert run.returncode == -signal.SIGKILL, run.stderr
 
 
-def write_staged(out: Path) -> None:
-    with stage_files(out, ("file",)) as aside:
-        (aside / "file").write_text("new")
+def list_names(folder: Path) -> list[str]:
+    return sorted(str(path.relative_to(folder)) for path in folder.rglob("*"))
 
 
-def age(path: Path) -> None:
-    old = path.stat().st_mtime - 2 * LEFTOVER_AGE
-    os.utime(path, (old, old))
-
-
-def list_hidden(folder: Path) -> list[str]:
-    return [path.name for path in folder.rglob(".*")]
-
-
-@pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGKILL")
-@pytest.mark.parametrize(
-    ("script", "write"), [(FOLDER_WRITER, write_folder), (STAGE_WRITER, write_staged)]
-)
-def test_what_a_killed_writer_leaves_goes_with_a_later_write(
-    tmp_path: Path, script: str, write: Callable[[Path], None]
-) -> None:
+def test_a_file_whose_writer_was_killed(tmp_path: Path) -> None:
     out = tmp_path / "out"
-    write(out)
-    with subprocess.Popen(
-        [sys.executable, "-c", script, str(out)], stdout=subprocess.PIPE
-    ) as writer:
-        assert writer.stdout is not None
-        assert writer.stdout.readline() == b"writing\n"
-        writer.send_signal(signal.SIGKILL)
-    assert (out / "file").read_text() == "new"
-    assert list_hidden(tmp_path)
-    write(out)
-    assert list_hidden(tmp_path)  # it may be that of a command which is at work
-    for path in tmp_path.rglob(".*"):
-        age(path)
-    write(out)
-    assert not list_hidden(tmp_path)
-    assert [path.name for path in out.iterdir()] == ["file"]
+    out.write_bytes(b"old")
+    (tmp_path / ".out.toml").touch()  # the user's
+    run_killed(FILE, tmp_path)
+    assert out.read_bytes() == b"old"
+    assert len(list_names(tmp_path)) == 3
+    write_whole(out, b"newer")
+    assert list_names(tmp_path) == [".out.toml", "out"]
+    assert out.read_bytes() == b"newer"
 
 
-def test_a_users_hidden_file_stays(tmp_path: Path) -> None:
-    (tmp_path / ".out.toml").write_text("mine")
-    age(tmp_path / ".out.toml")
-    write_whole(tmp_path / "out", b"x")
-    write_folder(tmp_path / "folder")
-    assert list_hidden(tmp_path) == [".out.toml"]
+@pytest.mark.parametrize("code", [UNFINISHED, BETWEEN, DELETING])
+def test_a_folder_whose_writer_was_killed(code: str, tmp_path: Path) -> None:
+    """The old or the new folder is there, or comes back with the next write, though that fails."""
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / "old").touch()
+    run_killed(code, tmp_path)
+    with pytest.raises(OSError, match="none"), replace_folder(out):
+        raise OSError("none")
+    assert list_names(tmp_path) == ["out", f"out/{'new' if code == DELETING else 'old'}"]
+    with replace_folder(out) as aside:
+        (aside / "newer").touch()
+    assert list_names(tmp_path) == ["out", "out/newer"]
 
 
-def test_the_old_folder_is_there_until_the_new_one_is(
+def test_staged_files_whose_writer_was_killed(tmp_path: Path) -> None:
+    run_killed(STAGED, tmp_path)
+    with stage_files(tmp_path / "out", ("new",)) as aside:
+        (aside / "new").write_text("newer")
+    assert list_names(tmp_path) == ["out", "out/new"]
+
+
+def test_what_a_running_process_writes_is_no_leftover(tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    with replace_folder(out) as aside:
+        (aside / "first").touch()
+        code = START + "\nwith files.replace_folder(Path('out')) as aside: pass"
+        subprocess.run([sys.executable, "-c", code], cwd=tmp_path, check=True)
+        assert (aside / "first").exists()
+    assert list_names(tmp_path) == ["out", "out/first"]
+
+
+def test_a_folder_that_cannot_be_exchanged_stays(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Nothing is removed before the last step; where that fails, the old folder comes back."""
-    out = tmp_path / "out"
-    write_folder(out)
-    rename = Path.rename
+    out, rename = tmp_path / "out", Path.rename
 
-    def fail_on_new(self: Path, target: Path) -> Path:
-        if self.name == "new":
-            assert (self.parent / "old" / "file").read_text() == "new"
-            raise OSError("disk full")
-        return rename(self, target)
+    def fail(path: Path, target: Path) -> Path:
+        if path.name.endswith(".partial"):
+            raise OSError("no room")
+        return rename(path, target)
 
-    monkeypatch.setattr(Path, "rename", fail_on_new)
-    with pytest.raises(OSError, match="disk full"), replace_folder(out) as aside:
-        (aside / "other").write_text("")
-    assert [path.name for path in out.iterdir()] == ["file"]
-    assert not list_hidden(tmp_path)
+    out.mkdir()
+    (out / "old").touch()
+    monkeypatch.setattr(Path, "rename", fail)
+    with pytest.raises(OSError, match="no room"), replace_folder(out):
+        pass
+    assert list_names(tmp_path) == ["out", "out/old"]

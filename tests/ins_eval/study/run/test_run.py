@@ -126,15 +126,17 @@ def test_results_appear_together_or_not_at_all(begun: StudyFolder, cluster: Clus
     assert begun.load_block(3) is not None
 
 
-def test_leftovers_of_a_killed_command_are_removed(complete: Path) -> None:
-    (complete / ".partial-x").mkdir()
-    (complete / ".partial-x" / "draws.json").write_text("[")
+def test_leftovers_of_a_killed_command_are_removed(complete: Path, cluster: Cluster) -> None:
+    before = contents(complete)
+    leftover = complete / ".files.abcdefgh.partial"
+    leftover.mkdir()
+    (leftover / "draws.json").write_text("[")
     (complete / "draws.json").unlink()
     (complete / "blocks").mkdir()
-    (complete / "blocks" / ".000001.npz.x").write_text("half")
-    with pytest.raises(HrgError, match="found no address"):
-        run_experiment(STUDY, complete, CHEAP, Cluster("tcp:1"))
-    assert not (complete / ".partial-x").exists()
+    (complete / "blocks" / ".000001.npz.abcdefgh.partial").write_text("half")
+    run_experiment(STUDY, complete, CHEAP, cluster)
+    assert contents(complete) == before
+    assert not leftover.exists()
 
 
 def refused(out: Path, study: Study, message: str) -> None:

@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pyhrg
-
 from pyhrg.common.files import check_output_folder
 
 if TYPE_CHECKING:

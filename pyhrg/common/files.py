@@ -127,7 +127,7 @@ def _clear_leftovers(path: Path) -> None:
     ends = f"{re.escape(NEW)}({re.escape(OLD)})?"
     pattern = re.compile(rf"\.{re.escape(path.name)}\.[a-z0-9_]{{8}}{ends}")
     with suppress(OSError):
-        for name in filter(pattern.fullmatch, os.listdir(path.parent)):
+        for name in filter(pattern.fullmatch, [each.name for each in path.parent.iterdir()]):
             leftover = path.with_name(name)
             with _lock(leftover, wait=False) as held:
                 if held and name.endswith(OLD) and not path.exists():

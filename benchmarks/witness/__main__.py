@@ -6,13 +6,16 @@ mechanisms [GYROS]         how well each mechanism is known after an hour
 confounded                 directions among the mechanisms that simple motions see
 study [TRAINING JUDGED]    R2 of the position error in linear flights of two hours, of triads whose
                            maps are calibrated (seed 1, as `hrg study standard`)
+flown [JUDGED]             the same in a car for an hour, by maps that are estimated from flights on
+                           the FMU, with a self-test of 60 s
+outside                    the estimate where something changed that its prior holds for constant
 """
 
 import sys
 
 import numpy as np
 
-from benchmarks.witness import bounds, study
+from benchmarks.witness import bounds, flown, outside, study
 from benchmarks.witness.motions import HALF_PERIOD, ROTATION
 from ins_eval.study.experiment import load_fmu
 from ins_eval.study.gyros.drawn_triad import (
@@ -22,11 +25,11 @@ from ins_eval.study.gyros.drawn_triad import (
     tabulate_triads,
 )
 from ins_eval.study.gyros.population import RAW
-from pyhrg.common.units import DEG
+from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.witness.mechanisms import NAMES
 from pyhrg.witness.responses import Motion
 
-GYROS, TRAINING, JUDGED = 24, 60, 80
+GYROS, TRAINING, JUDGED, FLOWN = 24, 60, 80, 20
 FIRST_JUDGED = 100
 """Number of the first judged triad, as in `hrg study standard`."""
 STUDY_SEED = 1
@@ -87,6 +90,23 @@ def print_study(training: int, judged: int) -> None:
             print(f"    {name:28s} R2 {score}", flush=True)
 
 
+def print_flown(judged: int) -> None:
+    fmu, drawn = load_fmu("HRGSlow"), draw(FIRST_JUDGED, judged)
+    known = study.measure_triads(fmu, drawn)
+    scores = flown.compute_flown_scores(
+        load_fmu("HRG"), "car", drawn, tabulate_triads(fmu, drawn), known, 2 * HALF_PERIOD
+    )
+    for name, score in scores.items():
+        print(f"{name:28s} {score}")
+
+
+def print_outside() -> None:
+    print("bias map's error, mdeg/h: with the log, without it; p-value")
+    for field, found, believed, p in outside.compare_changes(load_fmu("HRG"), load_fmu("HRGSlow")):
+        errors = (1e3 * each / DEG_PER_H for each in (found, believed))
+        print(f"{field:24s}{'{:8.2f}{:8.2f}'.format(*errors)}{p:10.2g}", flush=True)
+
+
 if __name__ == "__main__":
     command, numbers = sys.argv[1], [int(each) for each in sys.argv[2:]]
     if command == "bounds":
@@ -95,5 +115,9 @@ if __name__ == "__main__":
         print_mechanisms(*(numbers or [GYROS]))
     elif command == "confounded":
         print_confounded()
+    elif command == "outside":
+        print_outside()
+    elif command == "flown":
+        print_flown(*(numbers or [FLOWN]))
     else:
         print_study(*(numbers or [TRAINING, JUDGED]))

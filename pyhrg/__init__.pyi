@@ -12,6 +12,8 @@ from .playback import simulate
 from .records.campaign import Campaign, read_campaign, write_campaign
 from .records.campaign_import import ImportedCampaign, import_campaign
 from .records.log import Log, read_log, write_log
+from .witness.estimate import MapEstimate, estimate_map
+from .witness.prior import make_drift_prior
 
 __all__ = [
     "Campaign",
@@ -20,13 +22,16 @@ __all__ = [
     "HrgError",
     "ImportedCampaign",
     "Log",
+    "MapEstimate",
     "allan_deviation",
     "compute_allan",
     "diagnose",
     "diagnose_record",
+    "estimate_map",
     "import_campaign",
     "list_tests",
     "load_device",
+    "make_drift_prior",
     "predict",
     "read_campaign",
     "read_diagnosis",

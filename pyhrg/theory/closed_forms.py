@@ -29,6 +29,41 @@ def static_bias_phasor(device: Device) -> complex:
     return complex((-1j * (damping + split - gain) - skew) / (4 * device.bryan_factor))
 
 
+def amplitude_force_phasor(device: Device) -> complex:
+    """Fourth harmonic H of the amplitude force at rest, G(th) = mean + Re(H exp(-4i th)), 1/s.
+
+    First order, loops closed: (D/2) cos 4(th - th_tau) of damping anisotropy, -(g/2 tau) cos 4th of
+    gain mismatches, -(d/2 tau) sin 4th of non-orthogonalities. But for a split with phase error it
+    is 2ik times `static_bias_phasor`: the bias is the slope of the amplitude force over 8k.
+    """
+    tau = device.decay_time
+    gain = (device.pickoff_gain_mismatch + device.drive_gain_mismatch) / tau
+    skew = (device.pickoff_nonorthogonality + device.drive_nonorthogonality) / tau
+    damping = device.damping_anisotropy * np.exp(4j * device.damping_axis)
+    return complex((damping - gain - 1j * skew) / 2)
+
+
+def turning_amplitude_force_phasor(device: Device) -> complex:
+    """What `amplitude_force_phasor` gains per rad/s of the case: 2k (d - i g).
+
+    Pick-off errors let the true amplitude vary along the pattern angle by -(g/2) cos 4th
+    - (d/2) sin 4th while the detected one is held. A turning pattern takes a force for that.
+    """
+    k = device.bryan_factor
+    return 2 * k * complex(device.pickoff_nonorthogonality, -device.pickoff_gain_mismatch)
+
+
+def rotated_amplitude_force_phasor(device: Device) -> complex:
+    """What `amplitude_force_phasor` gains per rad/s of virtual rotation: k (ig + i gd - d - nd).
+
+    The pattern turns by +k as the case's rate turns it by -k, and drive errors aim a share of the
+    force that turns it along the pattern.
+    """
+    gain = device.pickoff_gain_mismatch + device.drive_gain_mismatch
+    skew = device.pickoff_nonorthogonality + device.drive_nonorthogonality
+    return device.bryan_factor * complex(-skew, gain)
+
+
 def static_bias(device: Device, pattern_angle: ArrayLike) -> NDArray[np.float64]:
     """Output bias at rest, rad/s, at each pattern angle (rad); see `static_bias_phasor`."""
     harmonic = static_bias_phasor(device) * np.exp(-4j * np.asarray(pattern_angle))

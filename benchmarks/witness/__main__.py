@@ -1,0 +1,123 @@
+"""Figures of docs/methods/witness.md: `python -m benchmarks.witness COMMAND [NUMBERS]`.
+
+command                    what it prints
+bounds [GYROS]             bound of the bias map in each mission class
+mechanisms [GYROS]         how well each mechanism is known after an hour
+confounded                 directions among the mechanisms that simple motions see
+study [TRAINING JUDGED]    R2 of the position error in linear flights of two hours, of triads whose
+                           maps are calibrated (seed 1, as `hrg study standard`)
+flown [JUDGED]             the same in a car for an hour, by maps that are estimated from flights on
+                           the FMU, with a self-test of 60 s
+outside                    the estimate where something changed that its prior holds for constant
+"""
+
+import sys
+
+import numpy as np
+
+from benchmarks.witness import bounds, flown, outside, study
+from benchmarks.witness.motions import HALF_PERIOD, ROTATION
+from ins_eval.study.experiment import load_fmu
+from ins_eval.study.gyros.drawn_triad import (
+    TriadDistribution,
+    draw_triad,
+    make_triad_seed,
+    tabulate_triads,
+)
+from ins_eval.study.gyros.population import RAW
+from pyhrg.common.units import DEG, DEG_PER_H
+from pyhrg.witness.mechanisms import NAMES
+from pyhrg.witness.responses import Motion
+
+GYROS, TRAINING, JUDGED, FLOWN = 24, 60, 80, 20
+FIRST_JUDGED = 100
+"""Number of the first judged triad, as in `hrg study standard`."""
+STUDY_SEED = 1
+DURATION, ROW = 600.0, 0.1
+
+
+def print_bounds(count: int) -> None:
+    sample = bounds.draw_sample(load_fmu("HRGSlow"), count)
+    for name, value in bounds.compute_prior_figures(sample).items():
+        print(f"before the flight, {name}: {1e3 * value:.2f} mdeg/h")
+    print("map (mean), mdeg/h, after the alignment and 1, 10, 60 min of flight")
+    for title, axis, test, found in bounds.tabulate_bounds(sample):
+        cells = "".join(f"{1e3 * a:8.2f} ({1e3 * m:5.2f})" for a, m in found)
+        print(f"{title:24s} {axis:9s} self-test {test:6s}{cells}", flush=True)
+
+
+def print_mechanisms(count: int) -> None:
+    sample = bounds.draw_sample(load_fmu("HRGSlow"), count)
+    thermal = bounds.compute_thermal_bound(sample)
+    print(f"map by thermal coefficients after the bench: {1e3 * thermal:.2f} mdeg/h")
+    for mission in ("car", "long-haul"):
+        for title, ratios in bounds.tabulate_mechanisms(sample, mission):
+            print(f"{mission}, {title}: sigma after an hour over sigma before")
+            for name, ratio in zip(NAMES, ratios, strict=True):
+                print(f"    {name:34s}{ratio:8.3f}")
+
+
+def print_confounded() -> None:
+    (gyro,) = bounds.draw_sample(load_fmu("HRGSlow"), 1)
+    time = np.arange(0.0, DURATION, ROW)
+    alternating = np.sign(np.sin(np.pi * time / HALF_PERIOD))
+    for title, rate, rotation in (
+        ("at rest", 0.0, 0.0),
+        ("turning at 5 deg/s", 5 * DEG, 0.0),
+        ("turning by +-5 deg/s", 5 * DEG * alternating, 0.0),
+        ("virtual rotation of 5 deg/s", 0.0, ROTATION),
+        ("virtual rotation of +-5 deg/s", 0.0, ROTATION * alternating),
+    ):
+        w, v = (np.broadcast_to(each, time.shape) for each in (rate, rotation))
+        angle = ROW * gyro.device.bryan_factor * np.cumsum(v - w)
+        motion = Motion(ROW, angle, w, v, 0 * time, 0 * time)
+        print(f"{title}, {DURATION / 60:g} min", *bounds.list_confounded(gyro, motion), sep="\n")
+
+
+def draw(first: int, count: int) -> list[study.DrawnTriad]:
+    fmu, distribution = load_fmu("HRGSlow"), TriadDistribution(population=RAW, method="map")
+    numbers = range(first, first + count)
+    return [draw_triad(fmu, distribution, make_triad_seed(STUDY_SEED, n)) for n in numbers]
+
+
+def print_study(training: int, judged: int) -> None:
+    fmu, drawn = load_fmu("HRGSlow"), draw(FIRST_JUDGED, judged)
+    known = study.measure_triads(fmu, drawn)
+    blocks = tabulate_triads(fmu, draw(0, training)), tabulate_triads(fmu, drawn)
+    for title, scores in study.compute_scores(*blocks, known):
+        print(title)
+        for name, score in scores.items():
+            print(f"    {name:28s} R2 {score}", flush=True)
+
+
+def print_flown(judged: int) -> None:
+    fmu, drawn = load_fmu("HRGSlow"), draw(FIRST_JUDGED, judged)
+    known = study.measure_triads(fmu, drawn)
+    scores = flown.compute_flown_scores(
+        load_fmu("HRG"), "car", drawn, tabulate_triads(fmu, drawn), known, 2 * HALF_PERIOD
+    )
+    for name, score in scores.items():
+        print(f"{name:28s} {score}")
+
+
+def print_outside() -> None:
+    print("bias map's error, mdeg/h: with the log, without it; p-value")
+    for field, found, believed, p in outside.compare_changes(load_fmu("HRG"), load_fmu("HRGSlow")):
+        errors = (1e3 * each / DEG_PER_H for each in (found, believed))
+        print(f"{field:24s}{'{:8.2f}{:8.2f}'.format(*errors)}{p:10.2g}", flush=True)
+
+
+if __name__ == "__main__":
+    command, numbers = sys.argv[1], [int(each) for each in sys.argv[2:]]
+    if command == "bounds":
+        print_bounds(*(numbers or [GYROS]))
+    elif command == "mechanisms":
+        print_mechanisms(*(numbers or [GYROS]))
+    elif command == "confounded":
+        print_confounded()
+    elif command == "outside":
+        print_outside()
+    elif command == "flown":
+        print_flown(*(numbers or [FLOWN]))
+    else:
+        print_study(*(numbers or [TRAINING, JUDGED]))

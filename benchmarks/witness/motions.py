@@ -1,0 +1,58 @@
+"""What gyros of a mission go through, with and without a self-test by virtual rotation."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ins_eval.error_model.effects import ANGULAR_GAIN
+from ins_eval.mission_model.missions import STILL, plan_mission
+from ins_eval.mission_model.warming import compute_case_warming_rate, compute_resonator_warmth
+from pyhrg.common.arrays import Array
+from pyhrg.common.units import DEG
+from pyhrg.witness.responses import Motion
+
+ROW = 0.1
+"""Length of a row, s."""
+ROTATION, HALF_PERIOD = 5 * DEG, 30.0
+"""Virtual rotation of the self-test, rad/s, and the time after which it changes its sign, s."""
+CLASSES = {
+    "car": "car",
+    "aircraft": "aircraft with rolls",
+    "airliner": "aircraft without rolls",
+    "long-haul": "great circle",
+    "ship": "ship",
+    "missile": "missile",
+    "city": "city",
+    "static-table": "turntable",
+}
+"""Mission classes of the study by the mission that stands for them."""
+
+
+@dataclass(frozen=True)
+class Ride:
+    """A mission's motion from power-on. rate: (n, 3) about the body axes in each row, rad/s; row:
+    length of a row, s."""
+
+    rate: Array
+    row: float
+
+    def follow(self, axis: int, start: float, rise: float, test: float = 0.0) -> Motion:
+        """The motion of the gyro along a body axis.
+
+        start: pattern angle at power-on, rad; rise: final rise of temperature, K; test: duration of
+        a self-test at power-on, s.
+        """
+        since = self.row * (np.arange(len(self.rate)) + 0.5)
+        sign = np.sign(np.sin(np.pi * since / HALF_PERIOD))
+        rotation = np.where(since < test, ROTATION * sign, 0.0)
+        rate = self.rate[:, axis]
+        angle = start + self.row * ANGULAR_GAIN * np.cumsum(rotation - rate)
+        temperature = rise * compute_resonator_warmth(since - STILL)
+        heating = rise * compute_case_warming_rate(since - STILL)
+        return Motion(self.row, angle, rate, rotation, temperature, heating)
+
+
+def load_ride(mission: str, hours: float, row: float = ROW) -> Ride:
+    planned = plan_mission(mission, hours)
+    rows = round((STILL + planned.hours * 3600) / row)
+    return Ride(planned.trajectory().increments(-STILL, row, rows).rotation / row, row)

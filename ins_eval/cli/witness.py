@@ -1,0 +1,50 @@
+"""`hrg witness`: the bias map of a gyro now, from a log of its own channels."""
+
+import argparse
+from pathlib import Path
+
+import pyhrg
+from pyhrg.common.units import YEAR
+
+HELP = "find a gyro's bias map now, what changed since its calibration, and what that is worth"
+DAYS_PER_YEAR = 365.25
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    add = parser.add_argument
+    add("log", type=Path, metavar="LOG", help="log with pattern angle, forces and frequency "
+        "(docs/records.md)")  # fmt: skip
+    add("--device", required=True, metavar="NAME|FILE", help="the gyro as it was calibrated")
+    add("--age-days", type=float, default=180.0, metavar="D", help="time since the calibration "
+        "(default 180)")  # fmt: skip
+    add("--ageing-share", type=float, metavar="S", help="standard deviation of the change of "
+        "damping, pick-offs and drives in a year, as a share of each (default: the "
+        "study's)")  # fmt: skip
+    add("--mission", default="car", metavar="NAME|FILE", help="where the map's worth is computed "
+        "(default car)")  # fmt: skip
+    add("--hours", type=float, default=1.0, help="duration of that mission (default 1)")
+
+
+def run(options: argparse.Namespace) -> None:
+    from ins_eval.mission_model.map_worth import AXES, compute_map_worth
+    from ins_eval.mission_model.missions import plan_mission
+    from ins_eval.mission_model.weights_cache import load_mission_weights
+    from ins_eval.study.gyros.drift import AGEING_SHARE, LARGEST_LEAKAGE
+    from pyhrg.common.arguments import check_number
+
+    age = check_number("--age-days", options.age_days, 0.0, 36525.0) / DAYS_PER_YEAR * YEAR
+    share = AGEING_SHARE if options.ageing_share is None else options.ageing_share
+    check_number("--ageing-share", share, 0.0, 1.0)
+    mission = plan_mission(options.mission, options.hours)
+    device = pyhrg.load_device(options.device)
+    prior = pyhrg.make_drift_prior(device, age, share, LARGEST_LEAKAGE)
+    found = pyhrg.estimate_map(pyhrg.read_log(options.log), device, prior)
+    print(found.summary)
+    weights = load_mission_weights(mission)
+    after, before = (
+        compute_map_worth(weights, covariance, found.angle)
+        for covariance in (found.maps_covariance, found.maps_prior)
+    )
+    print(f"\nrms position error by what is not known, {mission.name}, {mission.hours:g} h, m")
+    for axis, known, unknown in zip(AXES, after, before, strict=True):
+        print(f"gyro pointing {axis:10s}{known:10.0f} with the log{unknown:10.0f} without it")

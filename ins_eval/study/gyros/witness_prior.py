@@ -1,0 +1,98 @@
+"""What is known of a study's gyro before its channels are read in flight (witness.md, Eq. 3).
+
+The population says how far mechanisms reach, the bench's records narrow that, and the drift widens
+it again. The bench's records are those of `bench_plan`, with the gyro's own channels and, because
+the turntable's rate is known, its output.
+"""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+
+from ins_eval.error_model.effects import ANGULAR_GAIN
+from ins_eval.mission_model.missions import WARM_UP
+from ins_eval.study.gyros.bench_plan import TABLE_RATE, WARM_RISE, BenchPlan
+from ins_eval.study.gyros.drift import AGEING_SHARE, LARGEST_LEAKAGE, Drift
+from ins_eval.study.gyros.measured_gyro import FLICKER_FLOOR
+from ins_eval.study.gyros.population import BIAS_PER_KELVIN, Population
+from pyhrg.bench.readings.segments import SEGMENT
+from pyhrg.common.arrays import Array
+from pyhrg.device.device import Device
+from pyhrg.witness.information import (
+    accumulate_information,
+    accumulate_output_information,
+    compute_posterior,
+)
+from pyhrg.witness.mechanisms import COUNT, SIGNALS, read_values
+from pyhrg.witness.prior import Prior, compute_turn_on_covariance, make_drift_prior
+from pyhrg.witness.responses import Motion, Responses
+
+DRAWS = 400
+"""Number of gyros by which a population's spread is taken. Chosen: known to 4 %."""
+ROW = 0.1
+"""Length of a row of the bench's motions, s. Chosen."""
+
+
+def make_study_prior(
+    responses: Responses, device: Device, population: Population, plan: BenchPlan, drift: Drift
+) -> Prior:
+    """Distribution of the changes of a gyro's mechanisms from what its maker believes.
+
+    responses: of the calibrated device.
+    """
+    drifted = make_study_drift(device, drift)
+    scatter = compute_turn_on_covariance(device) / plan.runs
+    benched = compute_posterior(
+        compute_population_covariance(population), measure_bench(responses, device, plan)
+    )
+    return Prior(drifted.mean, drifted.covariance + scatter + benched)
+
+
+def make_study_drift(device: Device, drift: Drift) -> Prior:
+    """Distribution of what changes from calibration to flight, and of the sensitivity to the rate
+    of temperature, which no bench measures."""
+    unmeasured = replace(device, bias_per_temperature_rate=0.0)
+    heating = BIAS_PER_KELVIN * WARM_UP
+    return make_drift_prior(unmeasured, drift.age, AGEING_SHARE, LARGEST_LEAKAGE, heating)
+
+
+@cache
+def compute_population_covariance(population: Population) -> Array:
+    """(COUNT, COUNT) covariance of the mechanisms of a population, which are uncorrelated, SI."""
+    generator = np.random.default_rng(0)
+    values = [read_values(population.draw(generator)) for _ in range(DRAWS)]
+    return np.diag(np.where(SIGNALS == "heating", 0.0, np.var(values, axis=0)))
+
+
+def measure_bench(responses: Responses, device: Device, plan: BenchPlan) -> Array:
+    """(COUNT, COUNT) Fisher information of the bench's records. The output's noise is the random
+    walk and, as white noise of the same variance in a segment's mean, the flicker noise."""
+    flicker = FLICKER_FLOOR * device.bias_instability
+    noise = float(np.sqrt(device.angle_random_walk**2 + SEGMENT * flicker**2))
+    information = np.zeros((COUNT, COUNT))
+    for motion, runs in _list_motions(plan):
+        information = information + runs * (
+            accumulate_information(responses, motion)
+            + accumulate_output_information(responses, motion, noise)
+        )
+    return information
+
+
+def _list_motions(plan: BenchPlan) -> list[tuple[Motion, int]]:
+    """Motions of the bench, and how often each is recorded."""
+    motions = []
+    for rise, runs in ((0.0, plan.runs), (WARM_RISE, 1)):
+        positions = np.pi * np.arange(plan.positions) / plan.positions
+        at_rest = np.zeros(plan.positions)
+        length = SEGMENT * plan.segments
+        motions.append((Motion(length, positions, at_rest, at_rest, at_rest + rise, at_rest), runs))
+        duration = plan.periods * np.pi / 2 / (ANGULAR_GAIN * TABLE_RATE)
+        time = np.arange(0.0, duration, ROW)
+        for rate in (TABLE_RATE, -TABLE_RATE):
+            every = np.ones_like(time)
+            angle = -ANGULAR_GAIN * rate * time
+            motions.append(
+                (Motion(ROW, angle, rate * every, 0 * every, rise * every, 0 * every), runs)
+            )
+    return motions

@@ -1,0 +1,1 @@
+"""What a gyro's own channels tell of the drift of its bias map (docs/methods/witness.md)."""

@@ -1,0 +1,132 @@
+"""The bias map of a gyro now, from a log of its own channels (docs/methods/witness.md)."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from fmu_build.bundle import build_fmu
+from pyhrg.common.arrays import Array
+from pyhrg.common.units import DEG_PER_H
+from pyhrg.device.device import Device
+from pyhrg.fmu import GyroFmu
+from pyhrg.records.log import Log
+from pyhrg.witness.fit import fit_changes, measure_block_noise
+from pyhrg.witness.information import compute_maps_response
+from pyhrg.witness.mechanisms import NAMES, change_device
+from pyhrg.witness.prior import Prior
+from pyhrg.witness.replay import read_witnesses
+from pyhrg.witness.responses import HARMONICS, TERMS, measure_output, measure_responses
+
+SIGNIFICANCE = 1e-3
+"""Probability of innovations below which the model is said not to hold. Chosen."""
+
+SIGMAS = f"{'sigma':>12s}{'without log':>12s}"
+"""Heading of two columns of standard deviations."""
+
+
+@dataclass(frozen=True)
+class MapEstimate:
+    """What a log tells of a gyro.
+
+    changes: (COUNT,) of `mechanisms.MECHANISMS` since the calibration, SI; covariance: of these;
+    prior: distribution of the changes before the log was read;
+    maps: (2 TERMS,) of the output's bias, rad/s, and scale-factor error now, over the pattern
+    angle; calibrated: (2 TERMS,) the same as the device has them at its reference temperature;
+    maps_covariance, maps_prior: (2 TERMS, 2 TERMS) covariances of the maps now, with the log and
+    without it;
+    temperature, angle: of the resonator above the reference, K, and of the pattern, rad, at the
+    log's end; burst_share: share of the rows that were limited; p_value: as of `Filtered`.
+
+    Where the channels hold what no mechanism makes, `is_explained` is False, and changes and
+    covariance are those of the prior.
+    """
+
+    changes: Array
+    covariance: Array
+    prior: Prior
+    maps: Array
+    calibrated: Array
+    maps_covariance: Array
+    maps_prior: Array
+    temperature: float
+    angle: float
+    burst_share: float
+    p_value: float
+
+    @property
+    def is_explained(self) -> bool:
+        return self.p_value > SIGNIFICANCE
+
+    @property
+    def summary(self) -> str:
+        """The map now, what changed, and how well both are known, as text."""
+        names = ["mean", *(f"{wave} {h} th" for h in HARMONICS for wave in ("cos", "sin"))]
+        known, before = (np.sqrt(np.diag(each)) for each in (self.maps_covariance, self.maps_prior))
+        lines = [
+            f"{'bias map, deg/h':28s}{'calibrated':>12s}{'now':>12s}{SIGMAS}",
+            *(
+                f"{name:28s}" + "".join(f"{x / DEG_PER_H:12.5f}" for x in row)
+                for name, *row in zip(
+                    names, self.calibrated, self.maps, known[:TERMS], before[:TERMS], strict=False
+                )
+            ),
+            "",
+            f"{'change since calibration':34s}{'now':>12s}{SIGMAS}",
+            *self._describe_changes(),
+            "",
+            f"temperature {self.temperature:+.2f} K; {self.burst_share:.1%} of the rows are bursts",
+        ]
+        if not self.is_explained:
+            lines.append(
+                "the forces hold what no drifting mechanism makes "
+                f"(p = {self.p_value:.1g}): the log is not followed"
+            )
+        return "\n".join(lines)
+
+    def _describe_changes(self) -> list[str]:
+        known, before = (
+            np.sqrt(np.diag(each)) for each in (self.covariance, self.prior.covariance)
+        )
+        return [
+            f"{name:34s}{change:12.3g}{sigma:12.2g}{prior:12.2g}"
+            for name, change, sigma, prior in zip(NAMES, self.changes, known, before, strict=True)
+            if prior > 0
+        ]
+
+
+def estimate_map(log: Log, device: Device, prior: Prior) -> MapEstimate:
+    """The bias map of a gyro at the end of a log.
+
+    The FMU is run with the log's motion; the forces' differences are explained by changes of the
+    mechanisms.
+
+    Args:
+        log: with the columns of `replay.REQUIRED`; rows of 0.01 to 1 s.
+        device: the gyro as it was calibrated.
+        prior: distribution of the changes (`make_drift_prior`).
+
+    Raises:
+        HrgError: the log lacks a column, is too short, or has commands but virtual rotation.
+    """
+    witnesses = read_witnesses(log, device)
+    slow, fast = GyroFmu(build_fmu("HRGSlow")), GyroFmu(build_fmu("HRG"))
+    responses = measure_responses(slow, device)
+    noise = measure_block_noise(fast, device)
+    fitted = fit_changes(fast, device, witnesses, prior, responses, noise)
+    changes, covariance = fitted.changes, fitted.covariance
+    if fitted.p_value <= SIGNIFICANCE:
+        changes, covariance = prior.mean, prior.covariance
+    response = compute_maps_response(responses, fitted.temperature)
+    return MapEstimate(
+        changes=changes,
+        covariance=covariance,
+        prior=prior,
+        maps=measure_output(slow, change_device(device, changes), fitted.temperature),
+        calibrated=measure_output(slow, device, 0.0),
+        maps_covariance=response @ covariance @ response.T,
+        maps_prior=response @ prior.covariance @ response.T,
+        temperature=fitted.temperature,
+        angle=fitted.angle,
+        burst_share=fitted.burst_share,
+        p_value=fitted.p_value,
+    )

@@ -1,0 +1,103 @@
+"""Mechanisms that make the bias map and may have changed since the calibration.
+
+Each is one number that is added to a device. An anisotropy has two: a cosine and a sine. Thermal
+coefficients act in proportion to the temperature above the reference.
+"""
+
+import cmath
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from pyhrg.common.arrays import Array
+from pyhrg.device.device import Device
+
+Signal = Literal["one", "temperature", "heating"]
+"""Signal that a mechanism acts in proportion to: constant, temperature of the resonator above the
+reference, K, or rate of the case's temperature, K/s."""
+
+
+@dataclass(frozen=True)
+class Mechanism:
+    """A number of a device that may have changed.
+
+    name: in reports; step: size of the change by which sensitivities are taken, SI: far above the
+    rounding of the simulation, and so small that the response is linear to 1e-3; read: its value;
+    add: the device with a change of it; signal: what it acts in proportion to.
+    """
+
+    name: str
+    step: float
+    read: Callable[[Device], float]
+    add: Callable[[Device, float], Device]
+    signal: Signal = "one"
+
+
+def _name_field(name: str, step: float, field: str, signal: Signal = "one") -> Mechanism:
+    def add(device: Device, change: float) -> Device:
+        return replace(device, **{field: getattr(device, field) + change})
+
+    return Mechanism(name, step, lambda device: getattr(device, field), add, signal)
+
+
+def _read_damping(device: Device) -> complex:
+    return cmath.rect(device.damping_anisotropy, 4 * device.damping_axis)
+
+
+def _add_damping(direction: complex) -> Callable[[Device, float], Device]:
+    """A change of the damping anisotropy along the cosine (1) or the sine (i) of four angles."""
+
+    def add(device: Device, change: float) -> Device:
+        whole = _read_damping(device) + change * direction
+        return replace(device, damping_anisotropy=abs(whole), damping_axis=cmath.phase(whole) / 4)
+
+    return add
+
+
+def _stretch_decay_time(device: Device, change: float) -> Device:
+    return replace(device, decay_time=device.decay_time * math.exp(change))
+
+
+MECHANISMS = (
+    Mechanism("damping anisotropy, cosine", 1e-6, lambda d: _read_damping(d).real, _add_damping(1)),
+    Mechanism("damping anisotropy, sine", 1e-6, lambda d: _read_damping(d).imag, _add_damping(1j)),
+    _name_field("pick-off gain mismatch", 1e-4, "pickoff_gain_mismatch"),
+    _name_field("pick-off non-orthogonality", 1e-4, "pickoff_nonorthogonality"),
+    _name_field("drive gain mismatch", 1e-4, "drive_gain_mismatch"),
+    _name_field("drive non-orthogonality", 1e-4, "drive_nonorthogonality"),
+    Mechanism("decay time, relative", 1e-3, lambda d: math.log(d.decay_time), _stretch_decay_time),
+    _name_field("drive frame rotation", 1e-4, "drive_frame_rotation"),
+    _name_field("phase error", 1e-4, "phase_error"),
+    _name_field("residual quadrature", 1e-4, "residual_quadrature"),
+    _name_field("decay time per kelvin", 1e-4, "decay_time_per_kelvin", "temperature"),
+    _name_field(
+        "damping anisotropy per kelvin", 1e-3, "damping_anisotropy_per_kelvin", "temperature"
+    ),
+    _name_field("pick-off gain per kelvin", 1e-6, "pickoff_gain_per_kelvin", "temperature"),
+    _name_field("phase error per kelvin", 1e-5, "phase_per_kelvin", "temperature"),
+    _name_field("bias per rate of temperature", 1e-6, "bias_per_temperature_rate", "heating"),
+)
+"""The states of the estimate, in this order."""
+NAMES = tuple(each.name for each in MECHANISMS)
+COUNT = len(MECHANISMS)
+SIGNALS = np.array([each.signal for each in MECHANISMS])
+
+
+def find(name: str) -> int:
+    """Place of a mechanism among the states."""
+    return NAMES.index(name)
+
+
+def read_values(device: Device) -> Array:
+    """(COUNT,) values of a device's mechanisms, SI."""
+    return np.array([each.read(device) for each in MECHANISMS])
+
+
+def change_device(device: Device, changes: Array) -> Device:
+    """The device with changes (COUNT,) of its mechanisms, SI."""
+    for mechanism, change in zip(MECHANISMS, changes.tolist(), strict=True):
+        device = mechanism.add(device, change)
+    return device

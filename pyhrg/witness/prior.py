@@ -1,0 +1,75 @@
+"""How far mechanisms may have moved since the calibration: the prior of the estimate (Eq. 3)."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from pyhrg.common.arrays import Array
+from pyhrg.common.units import YEAR
+from pyhrg.device.device import Device
+from pyhrg.witness.mechanisms import COUNT, find
+
+DAMPING = slice(0, 2)
+"""Places of the damping anisotropy's cosine and sine among the mechanisms."""
+TURN_ON_NAMES = {
+    "pickOff.gainMismatch": "pick-off gain mismatch",
+    "pickOff.nonOrthogonality": "pick-off non-orthogonality",
+    "drive.gainMismatch": "drive gain mismatch",
+    "drive.nonOrthogonality": "drive non-orthogonality",
+    "drive.frameRotation": "drive frame rotation",
+    "pickOff.phaseError": "phase error",
+    "controller.quadratureSetpoint": "residual quadrature",
+}
+"""Mechanisms by the FMU's parameters whose scatter between turn-ons a device may state, beside the
+damping anisotropy's."""
+
+
+@dataclass(frozen=True)
+class Prior:
+    """Distribution of the mechanisms' changes: (COUNT,) mean, (COUNT, COUNT) covariance, SI."""
+
+    mean: Array
+    covariance: Array
+
+
+def make_drift_prior(
+    device: Device, age: float, ageing_share: float, leakage: float, heating: float = 0.0
+) -> Prior:
+    """Changes of a device by ageing and by another turn-on.
+
+    age: time since the calibration, s; ageing_share: standard deviation of the change in a year of
+    damping anisotropy, pick-offs and drives, as a share of each, growing with the root of time;
+    leakage: largest share of the decay time that is lost in a year, uniform from 0; heating:
+    standard deviation of the bias per rate of temperature, rad/K, whose mean is the device's own,
+    because a replay leaves it out. What the device
+    states of its turn-on to turn-on scatter is added (`Device.turn_on_scatter`).
+    """
+    share, lost = ageing_share * math.sqrt(age / YEAR), leakage * age / YEAR
+    pickoff = math.hypot(device.pickoff_gain_mismatch, device.pickoff_nonorthogonality)
+    drive = math.hypot(device.drive_gain_mismatch, device.drive_nonorthogonality)
+    deviation = np.zeros(COUNT)
+    deviation[DAMPING] = share * device.damping_anisotropy
+    for name, size in (("pick-off", pickoff), ("drive", drive)):
+        for kind in ("gain mismatch", "non-orthogonality"):
+            deviation[find(f"{name} {kind}")] = share * size
+    mean = np.zeros(COUNT)
+    decay = find("decay time, relative")
+    mean[decay], deviation[decay] = -lost / 2, lost / math.sqrt(12)
+    rate = find("bias per rate of temperature")
+    mean[rate], deviation[rate] = device.bias_per_temperature_rate, heating
+    return Prior(mean, np.diag(deviation**2) + compute_turn_on_covariance(device))
+
+
+def compute_turn_on_covariance(device: Device) -> Array:
+    """(COUNT, COUNT) covariance of the mechanisms from one turn-on to the next, SI. The damping
+    anisotropy scatters along its own axis."""
+    covariance = np.zeros((COUNT, COUNT))
+    for name, mechanism in TURN_ON_NAMES.items():
+        place = find(mechanism)
+        covariance[place, place] = device.turn_on_scatter.get(name, 0.0) ** 2
+    axis = 4 * device.damping_axis
+    along = np.array([math.cos(axis), math.sin(axis)])
+    scatter = device.turn_on_scatter.get("resonator.material.dampingAnisotropy", 0.0)
+    covariance[DAMPING, DAMPING] = scatter**2 * np.outer(along, along)
+    return covariance

@@ -1,0 +1,178 @@
+"""Forces of a gyro that goes through what a log recorded, simulated by the FMU.
+
+The log has no true rate and no temperature of the resonator. Both are found in rounds: the rate is
+the one that turns the simulated pattern, as it is detected, through the recorded angles, and the
+temperature the one that gives the recorded frequency.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.ndimage import uniform_filter1d
+
+from pyhrg.common.arrays import Array
+from pyhrg.common.errors import HrgError
+from pyhrg.device.device import Device
+from pyhrg.fmu import GyroFmu
+from pyhrg.records.log import Log
+from pyhrg.witness.responses import FORCES, SOAKED_LAG, Motion
+
+REQUIRED = ("wave_angle", "amplitude_force", "quadrature_force", "frequency_offset")
+"""Columns without which nothing is estimated."""
+STEP = 0.01
+"""Communication step, s. Chosen: ten control periods."""
+SMOOTHING = 10.0
+"""Time over which the frequency is averaged to give the temperature, s. Chosen: longer than
+`SOAKED_LAG`, so that rounds converge, and shorter than any thermal lag."""
+SETTLING = 2 * SMOOTHING
+"""Time after the first row that is left out until loops and temperature are settled, s. Derived:
+the case's rate of temperature needs two averages on both sides."""
+
+
+@dataclass(frozen=True)
+class Witnesses:
+    """What a log holds of a gyro's own channels, with no row missing.
+
+    interval: of a row, s; angle: (n + 1,) detected pattern angle at the beginning of the first row
+    and at the end of each, rad; forces: (n, 2) amplitude and quadrature force, 1/s;
+    frequency: (n,) offset, rad/s; virtual_rotation: (n,) rad/s; specific_force: (n, 3) m/s^2.
+    """
+
+    interval: float
+    angle: Array
+    forces: Array
+    frequency: Array
+    virtual_rotation: Array
+    specific_force: Array
+
+
+@dataclass(frozen=True)
+class Replay:
+    """What the FMU makes of it.
+
+    residuals: (n, 2) recorded less simulated forces, 1/s; motion: of the simulated gyro; following:
+    how the next replay is to go, so that angles and frequency agree.
+    """
+
+    residuals: Array
+    motion: Motion
+    following: "Course"
+
+
+@dataclass(frozen=True)
+class Course:
+    """What a simulated gyro goes through.
+
+    start: pattern angle at the beginning, rad; rate: (n,) of the case, rad/s; temperature: (n,)
+    above the reference, K.
+    """
+
+    start: float
+    rate: Array
+    temperature: Array
+
+
+def read_witnesses(log: Log, device: Device) -> Witnesses:
+    """The longest stretch of a log without a gap.
+
+    Raises:
+        LogError: a column that is required has no values.
+        HrgError: the stretch is too short, or the gyro was commanded what changes its forces.
+    """
+    for field, nominal in _list_nominal_commands(device).items():
+        values = getattr(log, field)
+        other = values[np.isfinite(values) & (values != nominal)]
+        if len(other):
+            raise HrgError(
+                f"{log.source}: {field}: found {other[0]:g}, expected {nominal:g} in all rows"
+            )
+    stretch = max(log.stretches(*REQUIRED), key=lambda each: each.stop - each.start)
+    rows = slice(stretch.start + 1, stretch.stop)
+    count = rows.stop - rows.start
+    if count * log.interval < 2 * SETTLING:
+        raise HrgError(
+            f"{log.source}: found {count * log.interval:g} s without a gap, expected "
+            f"{2 * SETTLING:g} s or more"
+        )
+    accelerations = [log.acceleration_x, log.acceleration_y, log.acceleration_z]
+    return Witnesses(
+        interval=log.interval,
+        angle=log.wave_angle[stretch],
+        forces=np.stack([log.amplitude_force[rows], log.quadrature_force[rows]], axis=1),
+        frequency=log.frequency_offset[rows],
+        virtual_rotation=np.nan_to_num(log.virtual_rotation[rows]),
+        specific_force=np.nan_to_num(np.stack(accelerations, axis=1)[rows]),
+    )
+
+
+def _list_nominal_commands(device: Device) -> dict[str, float]:
+    """Values of a log's commands that the sensitivities hold for, by field."""
+    return {"drive_on": 1.0, "phase_offset": 0.0, "amplitude_setpoint": device.amplitude}
+
+
+def guess_course(device: Device, witnesses: Witnesses) -> Course:
+    """The course of an ideal gyro at its reference temperature."""
+    pattern_rate = np.diff(witnesses.angle) / witnesses.interval
+    rate = witnesses.virtual_rotation - pattern_rate / device.bryan_factor
+    return Course(float(witnesses.angle[0]), rate, np.zeros_like(rate))
+
+
+def replay(fmu: GyroFmu, device: Device, witnesses: Witnesses, course: Course) -> Replay:
+    """The FMU `HRG` of a device on a course."""
+    count = len(course.rate)
+    steps = max(1, round(witnesses.interval / STEP))
+    rows = np.arange(count)
+    # the resonator follows the case by the lag, so that the case has to be ahead of it
+    ahead = np.interp(rows + SOAKED_LAG / witnesses.interval, rows, course.temperature)
+    case = device.reference_temperature + ahead
+    # the rate of the case's temperature is not that of the soaked gyro: the design has its effect
+    soaked = replace(device.without_noise(), thermal_lag=SOAKED_LAG, bias_per_temperature_rate=0.0)
+    # a rate that is linear in each row keeps the mean force right to second order
+    inside = (np.arange(steps) + 0.5) / steps - 0.5
+    moving = {
+        "angularRate": course.rate[:, None] + np.gradient(course.rate)[:, None] * inside,
+        "caseTemperature": np.repeat(case[:, None], steps, axis=1),
+    }
+    held = {f"acceleration{x}": witnesses.specific_force[:, i] for i, x in enumerate("XYZ")}
+    held["virtualRotation"] = witnesses.virtual_rotation
+    step = witnesses.interval / steps
+    with fmu.power_on(soaked.fmu_parameters(), 0, course.start) as gyro:
+        names = [*FORCES, "frequencyOffset"]
+        ends, means = gyro.record(moving, held, step, ["patternAngle"], names)
+    simulated = np.concatenate([[course.start], ends[:, 0]])
+    return Replay(
+        residuals=witnesses.forces - means[:, :2],
+        motion=Motion(
+            witnesses.interval,
+            0.5 * (simulated[1:] + simulated[:-1]),
+            course.rate,
+            witnesses.virtual_rotation,
+            course.temperature,
+            _compute_heating(course, device, witnesses.interval),
+        ),
+        following=_correct(course, device, witnesses, ends[:, 0], means[:, 2]),
+    )
+
+
+def _compute_heating(course: Course, device: Device, interval: float) -> Array:
+    """(n,) rate of the case's temperature, K/s, which the resonator follows by its lag."""
+    width = max(1, round(SMOOTHING / interval))
+
+    def differentiate(values: Array) -> Array:
+        return uniform_filter1d(np.gradient(values, interval), width, mode="nearest")
+
+    rate = differentiate(course.temperature)
+    return np.asarray(rate + device.thermal_lag * differentiate(rate))
+
+
+def _correct(
+    course: Course, device: Device, witnesses: Witnesses, angle: Array, frequency: Array
+) -> Course:
+    error = witnesses.angle[1:] - angle
+    rate = course.rate - np.diff(error, prepend=error[0]) / witnesses.interval / device.bryan_factor
+    per_kelvin = device.frequency * device.frequency_per_kelvin
+    if not per_kelvin:
+        return Course(course.start + float(error[0]), rate, course.temperature)
+    width = max(1, round(SMOOTHING / witnesses.interval))
+    warmer = uniform_filter1d(witnesses.frequency - frequency, width, mode="nearest") / per_kelvin
+    return Course(course.start + float(error[0]), rate, course.temperature + warmer)

@@ -1,0 +1,132 @@
+"""Maps that are estimated from flights of drifted gyros, simulated by the FMU at 1 kHz."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pytest
+from scipy.stats import chi2
+
+import pyhrg
+from pyhrg.common.arrays import Array
+from pyhrg.common.errors import HrgError
+from pyhrg.fmu import GyroFmu
+from pyhrg.records.log import Log
+from pyhrg.witness.fit import FittedChanges, fit_changes, measure_block_noise
+from pyhrg.witness.information import compute_map_response
+from pyhrg.witness.mechanisms import change_device
+from pyhrg.witness.replay import read_witnesses
+from pyhrg.witness.responses import Responses
+from tests.pyhrg.witness.flights import GYRO, PRIOR, RISE, burst, draw_changes, fly
+
+FLIGHTS, DURATION = 6, 600.0
+DRIFTS = np.diag(PRIOR.covariance) > 0
+
+
+@dataclass(frozen=True)
+class Flown:
+    """A flight: what truly changed, its log, what the log tells."""
+
+    changes: Array
+    log: Log
+    fitted: FittedChanges
+
+
+@pytest.fixture(scope="module")
+def noise(fmu: GyroFmu) -> Array:
+    return measure_block_noise(fmu, GYRO)
+
+
+@pytest.fixture(scope="module")
+def flights(fmu: GyroFmu, responses: Responses, noise: Array) -> list[Flown]:
+    """Flights with a self-test of two minutes."""
+    return [fly_once(fmu, responses, noise, seed) for seed in range(FLIGHTS)]
+
+
+def fly_once(fmu: GyroFmu, responses: Responses, noise: Array, seed: int) -> Flown:
+    changes = draw_changes(PRIOR, np.random.default_rng(seed))
+    log = fly(fmu, change_device(GYRO, changes), DURATION, seed, self_test=True)
+    return Flown(changes, log, fit(fmu, log, responses, noise))
+
+
+def fit(fmu: GyroFmu, log: Log, responses: Responses, noise: Array) -> FittedChanges:
+    return fit_changes(fmu, GYRO, read_witnesses(log, GYRO), PRIOR, responses, noise)
+
+
+def compute_map_rms(responses: Responses, changes: list[Array]) -> float:
+    """Rms over the circumference and over gyros of the bias that changes make, rad/s."""
+    maps = np.array(changes) @ compute_map_response(responses, RISE).T
+    return float(np.sqrt(np.mean(maps[:, 0] ** 2 + np.sum(maps[:, 1:] ** 2, axis=1) / 2)))
+
+
+def test_nees_is_in_its_band(flights: list[Flown]) -> None:
+    """99 % band of chi-square for the changes of all flights together."""
+    within = np.ix_(DRIFTS, DRIFTS)
+    total = 0.0
+    for flown in flights:
+        error = (flown.fitted.changes - flown.changes)[DRIFTS]
+        total += error @ np.linalg.solve(flown.fitted.covariance[within], error)
+    degrees = int(DRIFTS.sum()) * len(flights)
+    assert chi2.ppf(0.005, degrees) < total < chi2.ppf(0.995, degrees)
+
+
+def test_the_map_is_told(flights: list[Flown], responses: Responses) -> None:
+    """A fifth of the drift is left, and what each gyro's own channels tell of another one is worse
+    than nothing."""
+    drift = compute_map_rms(responses, [each.changes - PRIOR.mean for each in flights])
+    left = compute_map_rms(responses, [e.fitted.changes - e.changes for e in flights])
+    others = [flights[i - 1].fitted.changes - flights[i].changes for i in range(FLIGHTS)]
+    assert left < 0.2 * drift
+    assert compute_map_rms(responses, others) > drift
+    assert min(each.fitted.p_value for each in flights) > 1e-3
+
+
+def test_bursts_do_no_harm(
+    fmu: GyroFmu, flights: list[Flown], responses: Responses, noise: Array
+) -> None:
+    spoilt = burst(flights[0].log, np.random.default_rng(1), 250.0, 290.0)
+    found = fit(fmu, spoilt, responses, noise)
+    assert found.burst_share > flights[0].fitted.burst_share
+    sigma = np.sqrt(np.diag(found.covariance))[DRIFTS]
+    assert np.all(np.abs(found.changes - flights[0].changes)[DRIFTS] < 4 * sigma)
+
+
+@pytest.mark.parametrize(
+    "spoil",
+    [
+        lambda log: log.amplitude_force + 3e-7 * np.sin(2 * np.pi * log.time / 200),
+        lambda log: 60 * log.amplitude_force,
+        lambda log: np.minimum(log.amplitude_force, np.median(log.amplitude_force)),
+    ],
+    ids=["what no mechanism makes", "another unit", "saturated"],
+)
+def test_what_the_states_do_not_make_is_not_followed(
+    flights: list[Flown], spoil: Callable[[Log], Array]
+) -> None:
+    """The estimate stays at the prior, and says so."""
+    log = flights[0].log
+    found = pyhrg.estimate_map(replace(log, amplitude_force=spoil(log)), GYRO, PRIOR)
+    assert not found.is_explained
+    assert np.array_equal(found.changes, PRIOR.mean)
+    assert np.array_equal(found.maps_covariance, found.maps_prior)
+    assert "is not followed" in found.summary
+
+
+def test_a_log_without_a_channel_is_refused(flights: list[Flown]) -> None:
+    log = flights[0].log
+    without = replace(log, amplitude_force=np.full_like(log.time, np.nan))
+    with pytest.raises(HrgError, match="amplitude_force"):
+        pyhrg.estimate_map(without, GYRO, PRIOR)
+
+
+def test_a_short_log_is_refused(flights: list[Flown]) -> None:
+    fields = {n: v[:300] for n, v in vars(flights[0].log).items() if isinstance(v, np.ndarray)}
+    with pytest.raises(HrgError, match="expected 40 s or more"):
+        pyhrg.estimate_map(replace(flights[0].log, **fields), GYRO, PRIOR)
+
+
+def test_a_log_with_the_drive_off_is_refused(flights: list[Flown]) -> None:
+    log = flights[0].log
+    off = replace(log, drive_on=np.where(log.time > 300, 0.0, 1.0))
+    with pytest.raises(HrgError, match="drive_on: found 0, expected 1"):
+        pyhrg.estimate_map(off, GYRO, PRIOR)

@@ -1,0 +1,80 @@
+"""Sensitivities from the FMU against closed forms, and against a simulation of a whole flight."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pyhrg.device.device import Device
+from pyhrg.theory import closed_forms
+from pyhrg.witness.mechanisms import COUNT, MECHANISMS, NAMES, change_device, find, read_values
+from pyhrg.witness.responses import Responses
+from tests.pyhrg.witness.flights import GYRO
+
+FOURTH = slice(3, 5)
+"""Places of cos 4th and sin 4th among the terms."""
+REST, TURNING, ROTATED = 0, 1, 3
+"""Places of the motions 1, W and V."""
+LINEAR = [each.name for each in MECHANISMS if each.signal == "one" and "residual" not in each.name]
+"""Mechanisms whose closed form is that of the bias at rest."""
+
+
+def differentiate(closed_form: object, name: str) -> np.ndarray:
+    """Cosine and sine of a phasor's change per unit of a mechanism."""
+    mechanism = MECHANISMS[find(name)]
+    changed = mechanism.add(GYRO, mechanism.step)
+    phasor = (closed_form(changed) - closed_form(GYRO)) / mechanism.step
+    return np.array([phasor.real, phasor.imag])
+
+
+@pytest.mark.parametrize("name", LINEAR)
+def test_bias_at_rest(responses: Responses, name: str) -> None:
+    """Fourth harmonic and mean of the output, to 1 % of the largest."""
+    found = responses.output[find(name), REST]
+    expected = differentiate(closed_forms.static_bias_phasor, name)
+    mean = differentiate(lambda d: complex(closed_forms.mean_bias(d)), name)[0]
+    size = max(np.abs(found).max(), 1e-9)
+    assert found[FOURTH] == pytest.approx(expected, abs=0.01 * size)
+    assert found[0] == pytest.approx(mean, abs=0.01 * size)
+
+
+FORCES_AT_REST = ["damping anisotropy, cosine", "damping anisotropy, sine"]
+ELECTRODES = [name for name in NAMES if "mismatch" in name or "orthogonality" in name]
+
+
+@pytest.mark.parametrize("name", [*FORCES_AT_REST, *ELECTRODES])
+def test_amplitude_force(responses: Responses, name: str) -> None:
+    """At rest, per rate of the case and per virtual rotation, to 1 %."""
+    found = responses.forces[find(name), 0]
+    for motion, form in (
+        (REST, closed_forms.amplitude_force_phasor),
+        (TURNING, closed_forms.turning_amplitude_force_phasor),
+        (ROTATED, closed_forms.rotated_amplitude_force_phasor),
+    ):
+        expected = differentiate(form, name)
+        size = max(abs(expected).max(), 1e-3 * np.abs(found).max())
+        assert found[motion, FOURTH] == pytest.approx(expected, abs=0.01 * size), motion
+
+
+def test_heating_of_the_case(responses: Responses) -> None:
+    """The bias per rate of temperature is what its name says, and no force tells it at rest."""
+    place = find("bias per rate of temperature")
+    assert responses.output[place, REST, 0] == pytest.approx(1.0, rel=0.01)
+    assert np.abs(responses.forces[place, :, REST]).max() < 1e-3
+    assert np.abs(responses.forces[place, 0, ROTATED, 0]) > 10
+
+
+def test_the_bias_is_the_slope_of_the_amplitude_force() -> None:
+    """B = (1/8k) dG/dth, whatever of damping and electrodes makes it."""
+    device = replace(GYRO, phase_error=0.0)
+    force = closed_forms.amplitude_force_phasor(device)
+    slope = -4j * force / (8 * device.bryan_factor)
+    assert closed_forms.static_bias_phasor(device) == pytest.approx(slope, rel=1e-12)
+
+
+def test_changes_of_a_device_are_read_again() -> None:
+    changes = np.array([each.step for each in MECHANISMS])
+    changed = change_device(Device(damping_anisotropy=1e-5, damping_axis=0.2), changes)
+    unchanged = Device(damping_anisotropy=1e-5, damping_axis=0.2)
+    assert read_values(changed) - read_values(unchanged) == pytest.approx(changes, rel=1e-6)
+    assert len(changes) == COUNT

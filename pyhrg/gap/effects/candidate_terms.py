@@ -20,9 +20,8 @@ from pyhrg.device.device import Device
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.soundness.fault import TABLE_RIPPLES, FaultKind
 
-PATTERN_HARMONICS = range(1, 19)
-"""Harmonics of the pattern angle. Chosen: a cause that is no sine has multiples of its harmonic;
-what is missing here of a large one is read as other terms."""
+PATTERN_HARMONICS = (*range(1, 13), 16)
+"""Harmonics of the pattern angle. Chosen: all up to 12, and that of the square of the 8th."""
 TABLE_HARMONICS = (1, *TABLE_RIPPLES)
 """Harmonics of the table angle. Chosen."""
 RATE_HARMONICS = (1, 2, 4)

@@ -18,7 +18,7 @@ from pyhrg.gap.effects.candidate_terms import (
 Columns = list[tuple[CandidateTerm, Array]]
 """Terms with their (n, b) columns in one channel."""
 
-ELECTRODE_HARMONICS = (1, 3, 5, 6, 7, 9, 12)
+ELECTRODE_HARMONICS = (1, 3, 6)
 """Harmonics of errors of pick-off and drive. Chosen: those that no effect of the catalogue has. A
 term must not stand in for an offset (2), a gain or an axis (0 and 4), or a cubic (8)."""
 HARMONIC = "harmonic {} of the pattern angle"

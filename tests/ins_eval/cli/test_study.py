@@ -46,7 +46,7 @@ def test_folder_that_can_not_be_made_is_told(
     (tmp_path / "file").write_text("")
     out = tmp_path / "file" / "out"
     assert main(["study", "small", "--out", str(out)]) == 2
-    assert f"hrg: {out}: Not a directory" in capsys.readouterr().err
+    assert f"hrg: {out.parent}: it is no folder" in capsys.readouterr().err
 
 
 def test_study_whose_blocks_are_all_there_is_concluded(

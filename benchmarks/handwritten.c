@@ -1,7 +1,7 @@
 /* The gyro's tick as one would write it by hand: the yardstick of the generated kernel. The same
    arithmetic, generator and features as HRG.Gyroscopes.HRG with constant environment and drives that
-   are never overloaded. handwritten [TICKS [D [DENSITY]]] prints ns per tick and the angle after them,
-   of a gyro with damping anisotropy D and force noise of this density. */
+   are never overloaded. handwritten [TICKS [D [N]]] prints ns per tick and the angle after them,
+   of a gyro with damping anisotropy D and angle random walk N by force noise. */
 #include "arithmetic.h"
 
 #include <stdio.h>
@@ -187,10 +187,10 @@ int main(int count, char **arguments) {
   static Gyro g;
   long ticks = count > 1 ? atol(arguments[1]) : 1000000;
   double d = count > 2 ? atof(arguments[2]) : 1e-6, start = 0.6;
-  double mean = 1.0 / TAU, axis = 0.0;
+  double mean = 1.0 / TAU, axis = 0.0, walk = count > 3 ? atof(arguments[3]) : 0.0;
   g.p = (Parameters){.dx = mean + d / 2.0 * m_cos(axis), .dy = mean - d / 2.0 * m_cos(axis),
                      .gx = 1.0, .gy = 1.0, .cx = 1.0, .cy = 1.0, .drive = {1.0, 0.0, 0.0, 1.0}};
-  g.p.force_noise = 2.0 * K * sqrt(count > 3 ? atof(arguments[3]) / TS : 0.0);
+  g.p.force_noise = 2.0 * K * sqrt(walk * walk / TS);
   seed_noise(&g.noise, 1.0);
   g.z[0] = m_cos(2.0 * start), g.z[2] = m_sin(2.0 * start);
   g.modal = 2.0 * start, g.commanded = start, g.loops.amplitude = mean / 36.0;

@@ -69,12 +69,12 @@ def turn(gyro: Gyro, rates: np.ndarray, step: float) -> np.ndarray:
 
 def check_yardstick(hand: Path, fmu: GyroFmu) -> None:
     """The hand-written tick is a yardstick only while it computes what the FMU does: same bits."""
-    anisotropy, density, ticks = 1e-6, 1e-12, 10_000
-    command = [str(x) for x in (hand, ticks, anisotropy, density)]
+    anisotropy, walk, ticks = 1e-6, 1e-6, 10_000
+    command = [str(x) for x in (hand, ticks, anisotropy, walk)]
     run = subprocess.run(command, capture_output=True, check=True, text=True)
     parameters = {
         "resonator.material.dampingAnisotropy": anisotropy,
-        "noise.angleRandomWalk": density,
+        "noise.angleRandomWalk": walk,
     }
     with fmu.power_on(parameters, 1, START) as gyro:
         assert float(run.stdout.split()[1]) == turn(gyro, np.zeros(1), ticks / 1000)[0]

@@ -44,8 +44,8 @@ def drawn(seed: int) -> Device:
 
 
 def truths(device: Device) -> dict[str, float]:
-    """Of what is there; virtual rotation at V adds V sqrt(density) to the angle random walk."""
-    turning = random_walk.ROTATION * math.sqrt(device.model[NOISE])
+    """Of what is there; virtual rotation at V adds V times its noise to the angle random walk."""
+    turning = random_walk.ROTATION * device.model[NOISE]
     walk = device.angle_random_walk
     slow = {
         "bias instability": device.bias_instability,

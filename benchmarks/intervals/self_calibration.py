@@ -24,14 +24,14 @@ def drawn(generator: np.random.Generator) -> Device:
         demodulation_offset=generator.normal(0.0, 2e-5),
         bryan_factor_error=generator.normal(0.0, 1e-5),
         virtual_rotation_error=generator.normal(0.0, 1e-4),
-        model={"noise.virtualRotation": (walk / ROTATION) ** 2},
+        model={"noise.virtualRotation": walk / ROTATION},
     )
 
 
 def truth(device: Device) -> dict[str, float]:
     """By finding, SI; forces that are held lag both rotations alike."""
     off = device.angle_random_walk
-    on = float(np.hypot(off, ROTATION * np.sqrt(device.model["noise.virtualRotation"])))
+    on = float(np.hypot(off, ROTATION * device.model["noise.virtualRotation"]))
     hold = theory.hold_scale_factor_error(device.control_period, 0.0, device.decay_time)
     cycle = np.pi / (device.bryan_factor * ROTATION) * 2
     return {

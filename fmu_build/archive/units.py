@@ -14,8 +14,11 @@ DISPLAY_UNITS: dict[tuple[str, str], tuple[float, float]] = {
 """Factor and offset of a unit's display unit: display value = factor * value + offset."""
 
 
-def read_base_units(name: str) -> dict[str, str]:
-    """Exponents of the SI base units, by the unit's name in Modelica's notation: `rad.s/K`."""
+def read_base_units(name: str) -> dict[str, str] | None:
+    """Exponents of the SI base units, by the unit's name in Modelica's notation: `rad.s/K`. None
+    for a unit with a root, as those of noise: exponents of both standards are whole."""
+    if "sqrt(" in name:
+        return None
     above, _, below = name.partition("/")
     exponents = {}
     for factors, sign in ((above, ""), (below, "-")):
@@ -35,7 +38,9 @@ def add_unit_definitions(root: ET.Element, used: Iterable[tuple[str, str]]) -> N
     definitions = ET.SubElement(root, "UnitDefinitions")
     for name in sorted({unit for unit, _ in pairs}):
         unit = ET.SubElement(definitions, "Unit", name=name)
-        ET.SubElement(unit, "BaseUnit", read_base_units(name))
+        base = read_base_units(name)
+        if base is not None:
+            ET.SubElement(unit, "BaseUnit", base)
         for display in sorted({d for u, d in pairs if u == name and d}):
             _add_display_unit(unit, name, display)
 

@@ -14,6 +14,8 @@ from pyhrg.common.reading.files import decode, read_bytes
 from pyhrg.common.reading.limits import DOCUMENT_BYTES
 
 STRING = r'"((?:[^"\\]|\\.)*)"'
+ATTRIBUTES = r'(?:[^()"]|"[^"]*")*'
+"""Attributes of a type; parentheses stand in strings alone."""
 
 
 @dataclass(frozen=True)
@@ -72,7 +74,8 @@ def _types(file: Path) -> dict[str, RealType]:
     text = file.read_text(encoding="utf-8")
     scope = f"{_package(text)}{file.parent.name}" if file.name == "package.mo" else ""
     found = {}
-    for match in re.finditer(rf"\btype\s+(\w+)\s*=\s*Real\s*\(([^)]*)\)\s*{STRING}", text):
+    pattern = rf"\btype\s+(\w+)\s*=\s*Real\s*\(({ATTRIBUTES})\)\s*{STRING}"
+    for match in re.finditer(pattern, text):
         name, attributes, description = match.groups()
         given = dict(re.findall(rf"(\w+)\s*=\s*{STRING}", attributes))
         found[f"{scope}.{name}"] = RealType(

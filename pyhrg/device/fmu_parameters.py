@@ -23,8 +23,8 @@ def compute_fmu_values(parameters: ScalarParameters) -> dict[str, float]:
 def _compute_derived_values(p: ScalarParameters) -> dict[str, float]:
     """Values of the parameters that the FMU defines otherwise.
 
-    A force frame turned by e gives the bias -e/(2 k tau). The FMU's noises are power spectral
-    densities. A noise of n in each displacement turns the pattern by n/2 and the output by n/2k.
+    A force frame turned by e gives the bias -e/(2 k tau). A noise of n in each displacement turns
+    the pattern by n/2 and the output by n/2k; the FMU has it per root of its bandwidth.
     """
     k = p.bryan_factor
     rotation_per_bias = -2 * k * p.decay_time
@@ -33,7 +33,5 @@ def _compute_derived_values(p: ScalarParameters) -> dict[str, float]:
         "resonator.material.bryanFactor": k * (1 + p.bryan_factor_error),
         "drive.rotationPerTemperatureRate": rotation_per_bias * p.bias_per_temperature_rate,
         "drive.rotationPerAcceleration[3]": rotation_per_bias * p.bias_per_acceleration,
-        "noise.angleRandomWalk": p.angle_random_walk**2,
-        "noise.rateRandomWalk": p.rate_random_walk**2,
-        "noise.pickOff": displacement_noise**2 * p.control_period,
+        "noise.pickOff": displacement_noise * p.control_period**0.5,
     }

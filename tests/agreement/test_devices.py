@@ -356,7 +356,7 @@ def test_slow_noises_are_the_coefficients_of_ieee_952() -> None:
     keys = {"rate_random_walk_deg_h_sqrt_h": 0.02, "bias_instability_deg_h": 0.003}
     assert device_file.from_table(keys, "test").fmu_parameters() == pytest.approx(
         {
-            "noise.rateRandomWalk": (0.02 * DEG / 3600 / 60) ** 2,
+            "noise.rateRandomWalk": 0.02 * DEG / 3600 / 60,
             "noise.biasInstability": 0.003 * DEG / 3600,
         },
         abs=0.0,

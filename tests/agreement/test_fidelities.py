@@ -95,11 +95,11 @@ CASES: dict[str, tuple[float, Values, Values]] = {
 """Value, further parameters and inputs, sized so that the change stands far above rounding."""
 
 NOISE = {
-    "noise.angleRandomWalk": 1e-8,
-    "noise.pickOff": 1e-10,
-    "noise.rateRandomWalk": 1e-6,
+    "noise.angleRandomWalk": 1e-4,
+    "noise.pickOff": 1e-5,
+    "noise.rateRandomWalk": 1e-3,
     "noise.biasInstability": 1e-3,
-    "noise.virtualRotation": 1e-4,
+    "noise.virtualRotation": 1e-2,
 }
 LIMIT_CYCLES: dict[str, tuple[float, Values, Values]] = {"pickOff.resolution": (1e-4, {}, {})}
 """Of loops that follow a stair: HRGSlow has none (`HRG.Controls.QuasisteadyLoops`)."""

@@ -260,13 +260,13 @@ def test_18_virtual_rotation_error_flips_with_the_rotation(fmu: GyroFmu, directi
 
 
 def test_18_rotation_noise_is_a_random_walk(fmu: GyroFmu) -> None:
-    """400 means of 0.5 s, N = V sqrt(density), within 3.5 sigma."""
-    rate, density = 10 * DEG, 1e-8
-    with fmu.power_on({"noise.virtualRotation": density}, seed=4, start_angle=0.1) as gyro:
+    """400 means of 0.5 s, N = V s, within 3.5 sigma."""
+    rate, noise = 10 * DEG, 1e-4
+    with fmu.power_on({"noise.virtualRotation": noise}, seed=4, start_angle=0.1) as gyro:
         gyro.command("virtualRotation", rate)
         advance(gyro, 0.0, 5.0)
         means = np.diff(drive(gyro, np.zeros(401), 0.5)) / 0.5
-    expected = rate * math.sqrt(density / 0.5)
+    expected = rate * noise / math.sqrt(0.5)
     assert np.std(means, ddof=1) == pytest.approx(expected, rel=3.5 / math.sqrt(800))
 
 
@@ -296,7 +296,7 @@ def test_19_lock_in_follows_adler(fmu: GyroFmu) -> None:
 
 def test_20_random_walk_grows_as_the_amplitude_falls(fmu: GyroFmu) -> None:
     """N ~ 1/a: 400 means of 1 s at half amplitude."""
-    parameters = {"noise.angleRandomWalk": 1e-12, "startAmplitude": 0.5}
+    parameters = {"noise.angleRandomWalk": 1e-6, "startAmplitude": 0.5}
     with fmu.power_on(parameters, seed=5, start_angle=0.1) as gyro:
         gyro.command("amplitudeSetpoint", 0.5)
         advance(gyro, 0.0, 5.0)
@@ -307,7 +307,7 @@ def test_20_random_walk_grows_as_the_amplitude_falls(fmu: GyroFmu) -> None:
 def test_22_rate_random_walk(fmu: GyroFmu) -> None:
     """Means of 1 s walk by K each second: 300 differences, within 3.5 sigma; the mean of a second
     smooths the walk within it, variance 2/3."""
-    with fmu.power_on({"noise.rateRandomWalk": 1e-12}, seed=6, start_angle=0.1) as gyro:
+    with fmu.power_on({"noise.rateRandomWalk": 1e-6}, seed=6, start_angle=0.1) as gyro:
         advance(gyro, 0.0, 5.0)
         means = np.diff(drive(gyro, np.zeros(302), 1.0))
     steps = np.diff(means)

@@ -10,7 +10,7 @@ model Turntable "A typical gyro on a table that turns once in a minute: what it 
     seed = 1,
     resonator(material(dampingAnisotropy = 2e-6, dampingAxis = 0.35)),
     pickOff(gainMismatch = 1e-4),
-    noise(angleRandomWalk = 1e-14)) "Gyro with damping anisotropy, a pick-off gain mismatch and force noise";
+    noise(angleRandomWalk = 1e-7)) "Gyro with damping anisotropy, a pick-off gain mismatch and force noise";
 equation
   der(tableAngle) = rate;
   gyroAngle = gyro.gyroAngle;

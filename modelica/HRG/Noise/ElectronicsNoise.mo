@@ -4,27 +4,30 @@ block ElectronicsNoise "White noise of the force and pick-off channels, slow noi
   parameter Units.Time pickOffPeriod = samplePeriod "Period over which pick-off noise is averaged";
   parameter Units.Ratio bryanFactor "Converts input rates into pattern rates";
   parameter Integer seed(min = 0, max = 2147483647) "Seed of the generators";
-  parameter Units.AngleNoiseDensity angleRandomWalk(max = 1e-4) = 0
-    "White force noise, as the square of the angle random walk coefficient it causes at nominal amplitude, typically (1e-5 to 1e-3 deg/sqrt(h))^2";
-  parameter Units.DisplacementNoiseDensity pickOff(max = 1e-4) = 0
-    "White noise of each demodulated channel, relative to the nominal amplitude, typically 1e-17 to 1e-15: 0.01 to 0.1 arcsec of pattern angle in 1 ms";
-  parameter Real rateRandomWalk(unit = "rad2/s3", min = 0, max = 1) = 0 "Square of the rate random walk coefficient K, typically 2e-21 to 2e-19: 5e-4 to 5e-3 deg/h in an hour";
-  parameter Units.AngularRate biasInstability(min = 0, max = 1) = 0 "Flicker coefficient B (IEEE Std 952), typically 5e-4 to 5e-3 deg/h, the bias stability at a fixed pattern angle";
-  parameter Units.DisplacementNoiseDensity virtualRotation(max = 1) = 0 "Density of the relative noise of a commanded rotation, typically 1e-11 to 3e-10: at 10 deg/s ten times an angle random walk of 2e-4 to 1e-3 deg/sqrt(h)";
+  parameter Units.AngleRandomWalk angleRandomWalk(max = 1e-2) = 0
+    "White force noise, as the angle random walk coefficient N that it causes at nominal amplitude, in rad/sqrt(s), typically 3e-9 to 3e-7: 1e-5 to 1e-3 deg/sqrt(h)";
+  parameter Units.NoiseDensity pickOff(max = 1e-2) = 0
+    "White noise of each demodulated channel, relative to the nominal amplitude, in 1/sqrt(Hz), typically 3e-9 to 3e-8: 0.01 to 0.1 arcsec of pattern angle in 1 ms";
+  parameter Units.RateRandomWalk rateRandomWalk(max = 1) = 0
+    "Rate random walk coefficient K, in rad/s/sqrt(s), typically 4e-11 to 4e-10: 5e-4 to 5e-3 deg/h in an hour";
+  parameter Units.AngularRate biasInstability(min = 0, max = 1) = 0
+    "Flicker coefficient B, in rad/s, typically 2e-9 to 2e-8: 5e-4 to 5e-3 deg/h, the bias stability at a fixed pattern angle";
+  parameter Units.NoiseDensity virtualRotation(max = 1) = 0
+    "White relative noise of a commanded rotation, in 1/sqrt(Hz), typically 3e-6 to 2e-5: at 10 deg/s an angle random walk of 2e-3 to 1e-2 deg/sqrt(h)";
   output Units.Force force[4] "Force noise {cos x, sin x, cos y, sin y}";
   output Units.Displacement displacement[4] "Pick-off noise {cx, sx, cy, sy}";
   output Units.AngularRate patternRate "Slow noise, as a pattern rate";
   output Units.Ratio rotation "Relative noise of the commanded rotation";
 protected
   final parameter Units.Ratio start[84] = seededState(seed) "Memory at time 0";
-  final parameter Units.Force forceDeviation = 2*bryanFactor*sqrt(angleRandomWalk/samplePeriod)
+  final parameter Units.Force forceDeviation = 2*bryanFactor*sqrt(angleRandomWalk^2/samplePeriod)
     "Standard deviation of a force channel";
-  final parameter Units.Displacement pickOffDeviation = sqrt(pickOff/pickOffPeriod) "Standard deviation of a pick-off channel";
-  final parameter Units.AngularRate walkDeviation = bryanFactor*sqrt(rateRandomWalk*samplePeriod)
+  final parameter Units.Displacement pickOffDeviation = sqrt(pickOff^2/pickOffPeriod) "Standard deviation of a pick-off channel";
+  final parameter Units.AngularRate walkDeviation = bryanFactor*sqrt(rateRandomWalk^2*samplePeriod)
     "Standard deviation of a step of the rate random walk";
   final parameter Units.AngularRate flickerScale = bryanFactor*biasInstability*2.0794415416798357/Constants.pi
     "Of the sum of lags, ln 8/pi";
-  final parameter Units.Ratio rotationDeviation = sqrt(virtualRotation/samplePeriod) "Standard deviation of the rotation's noise";
+  final parameter Units.Ratio rotationDeviation = sqrt(virtualRotation^2/samplePeriod) "Standard deviation of the rotation's noise";
   final parameter Units.Ratio isMade = if angleRandomWalk > 0 or pickOff > 0 or rateRandomWalk > 0 or biasInstability > 0 or virtualRotation > 0 then 1 else 0
     "1 where there is any noise: else nothing is drawn for it";
   final parameter Units.Ratio decays[16] = lagDecays(samplePeriod) "Of the lags over a period, and weights of their input";
@@ -51,8 +54,8 @@ equation
   rotation = rotationDeviation*memory[83];
   annotation (Documentation(info="<html>
 <p>Standard deviations of a sample of period T: force channels 2 k N/sqrt(T), since a force n on the node turns the
-pattern at n/(2 a), so that the output has the angle random walk N at nominal amplitude; pick-off channels sqrt(S/T);
-rate random walk k K sqrt(T) a step; commanded rotation sqrt(S/T), relative. Flicker noise of coefficient B is the sum of
-<code>flicker</code>, scaled by k B. Coefficients N, K and B are those of IEEE Std 952. Mechanisms 18 and 20 to 22.</p>
+pattern at n/(2 a), so that the output has the angle random walk N at nominal amplitude; pick-off channels s/sqrt(T), s their <code>pickOff</code>;
+rate random walk k K sqrt(T) a step; commanded rotation s/sqrt(T), relative. Flicker noise of coefficient B is the sum of
+<code>flicker</code>, scaled by k B. Coefficients N, K and B are those of IEEE Std 952, none of them squared: N^2 and s^2 are two-sided densities. Mechanisms 18 and 20 to 22.</p>
 </html>"));
 end ElectronicsNoise;

@@ -15,8 +15,10 @@ package Units "Types with units; SI throughout"
   type PerKelvin = Real(unit = "1/K") "Relative change per temperature";
   type Acceleration = Real(quantity = "Acceleration", unit = "m/s2") "Specific force";
   type PerAcceleration = Real(unit = "s2/m") "Relative change per specific force";
-  type AngleNoiseDensity = Real(quantity = "NoiseDensity", unit = "rad2/s", min = 0)
-    "Two-sided density of a white rotation rate: square of the angle random walk coefficient";
-  type DisplacementNoiseDensity = Real(quantity = "NoiseDensity", unit = "s", min = 0)
-    "Two-sided density of a white relative quantity";
+  type AngleRandomWalk = Real(quantity = "AngleRandomWalk", unit = "rad/sqrt(s)", min = 0)
+    "Angle random walk coefficient: root of the two-sided density of a white rotation rate";
+  type RateRandomWalk = Real(quantity = "RateRandomWalk", unit = "rad/s/sqrt(s)", min = 0)
+    "Rate random walk coefficient: root of the two-sided density of a white angular acceleration";
+  type NoiseDensity = Real(quantity = "NoiseDensity", unit = "1/sqrt(Hz)", min = 0)
+    "Root of the two-sided density of a white relative quantity";
 end Units;

@@ -24,11 +24,11 @@ those of Conventions. Each line is demonstrated by models of <code>HRG.Validatio
 <tr><td>15</td><td>loop delay and hold</td><td><code>controller.synthesis.loopDelay</code></td><td>scale factor -(Ts/2 + td)/tau</td></tr>
 <tr><td>16</td><td>Bryan factor</td><td><code>resonator.material.bryanFactor</code> against <code>controller.readout.bryanFactor</code>; <code>bryanFactorPerKelvin</code></td><td>scale factor</td></tr>
 <tr><td>17</td><td>clock</td><td><code>controller.readout.clockError</code></td><td><code>gyroRate</code> -e, angle 0, P -e w</td></tr>
-<tr><td>18</td><td>virtual rotation gain, noise</td><td><code>controller.readout.virtualRotationError</code>, <code>noise.virtualRotation</code></td><td>B = -e V; N = V sqrt(density)</td></tr>
+<tr><td>18</td><td>virtual rotation gain, noise</td><td><code>controller.readout.virtualRotationError</code>, <code>noise.virtualRotation</code></td><td>B = -e V; N = V times <code>noise.virtualRotation</code></td></tr>
 <tr><td>19</td><td>lock-in</td><td>from 1</td><td>stops at sin 4(th - th_tau) = W/W_L for W &lt; W_L = D/4k; else mean rate sqrt(W^2 - W_L^2)</td></tr>
-<tr><td>20</td><td>force noise</td><td><code>noise.angleRandomWalk</code></td><td>N^2, over amplitude</td></tr>
+<tr><td>20</td><td>force noise</td><td><code>noise.angleRandomWalk</code></td><td>N, over amplitude</td></tr>
 <tr><td>21</td><td>pick-off noise</td><td><code>noise.pickOff</code></td><td>white angle</td></tr>
-<tr><td>22</td><td>rate random walk, flicker</td><td><code>noise.rateRandomWalk</code>, <code>noise.biasInstability</code></td><td>K^2; Allan deviation 0.664 B</td></tr>
+<tr><td>22</td><td>rate random walk, flicker</td><td><code>noise.rateRandomWalk</code>, <code>noise.biasInstability</code></td><td>K; Allan deviation 0.664 B</td></tr>
 <tr><td>23</td><td>frequency over temperature</td><td><code>resonator.material.frequencyPerKelvin</code>, <code>resonator.environment.thermalLag</code></td><td>P</td></tr>
 <tr><td>24</td><td>tau, D, g, p over temperature; its rate</td><td><code>...PerKelvin</code>; <code>drive.rotationPerTemperatureRate</code></td><td>as 1, 2, 7 scaled; B = -(e' dT/dt)/(2k tau)</td></tr>
 <tr><td>25</td><td>bias voltage, charge</td><td>input <code>biasVoltage</code>; <code>electrostaticShift</code>, <code>electrostaticSplit</code>, <code>electrostaticAxis</code></td><td>P and N with V^2 - 1, at constant temperature</td></tr>

@@ -75,6 +75,7 @@ class ScalarParameters(ShellParameters):
         key="angle_random_walk_deg_sqrt_h",
         unit=DEG_PER_SQRT_H,
         limits=(0, 10),
+        fmu="noise.angleRandomWalk",
         noise=EffectDeclaration("angle_random_walk", 1e-3 * DEG_PER_SQRT_H, ("noise",)),
     )
     """White force noise, as the input-referred angle random walk [N], rad/sqrt(s)."""
@@ -82,6 +83,7 @@ class ScalarParameters(ShellParameters):
         key="rate_random_walk_deg_h_sqrt_h",
         unit=DEG_PER_H / math.sqrt(HOUR),
         limits=(0, 1000),
+        fmu="noise.rateRandomWalk",
         noise=EffectDeclaration(
             "rate_random_walk", 1e-2 * DEG_PER_H / math.sqrt(HOUR), ("noise", "time")
         ),

@@ -73,17 +73,17 @@ def _self_calibration() -> dict[str, float]:
 
 
 def _random_walk() -> dict[str, float]:
-    """Random walk with rotation over without, N^2 + V^2 S over N^2, on the FMU and its interval.
+    """Random walk with rotation over without, N^2 + V^2 s^2 over N^2, on the FMU and its interval.
 
-    S is what makes it ten times as large: the drive's relative noise that the paper's figure takes.
+    s is what makes it ten times as large: the drive's relative noise that the paper's figure takes.
     """
-    white = (1e-4 * DEG / math.sqrt(HOUR)) ** 2
-    noise = 99 * white / SELF_CALIBRATION**2
+    white = 1e-4 * DEG / math.sqrt(HOUR)
+    noise = math.sqrt(99) * white / SELF_CALIBRATION
     deviations = [_deviation({WHITE: white, ROTATION_NOISE: noise}, v) for v in (0.0, 1.0)]
     ratio = deviations[1] / deviations[0]
     low, high = stats.f.ppf([0.025, 0.975], MEANS - 1, MEANS - 1)
     return {
-        "relative_noise_ppm_sqrt_s": math.sqrt(noise) * 1e6,
+        "relative_noise_ppm_sqrt_s": noise * 1e6,
         "random_walk_ratio": ratio,
         "random_walk_ratio_low": ratio / math.sqrt(high),
         "random_walk_ratio_high": ratio / math.sqrt(low),

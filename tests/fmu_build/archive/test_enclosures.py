@@ -39,6 +39,20 @@ def archive(path: Path) -> Iterator[zipfile.ZipFile]:
         yield opened
 
 
+def test_noises_are_the_coefficients_of_ieee_952(path: Path) -> None:
+    """In the units of the coefficients N, K and B themselves."""
+    variables = {v.name: v for v in fmpy.read_model_description(str(path)).modelVariables}
+    units = {n.removeprefix("noise."): v.unit for n, v in variables.items() if "noise." in n}
+    settable = {n for n, v in variables.items() if v.causality == "parameter"}
+    assert {n: u for n, u in units.items() if f"noise.{n}" in settable} == {
+        "angleRandomWalk": "rad/sqrt(s)",
+        "rateRandomWalk": "rad/s/sqrt(s)",
+        "biasInstability": "rad/s",
+        "pickOff": "1/sqrt(Hz)",
+        "virtualRotation": "1/sqrt(Hz)",
+    }
+
+
 def test_the_page_needs_nothing_from_outside(archive: zipfile.ZipFile) -> None:
     text = archive.read("documentation/index.html").decode()
     page = ET.fromstring(text.removeprefix("<!DOCTYPE html>"))

@@ -19,8 +19,8 @@ SETTINGS = {
     "n": {"seed": 5},
     "p": {
         "startAngle": 0.4,
-        "noise.angleRandomWalk": 1e-9,
-        "noise.pickOff": 1e-12,
+        "noise.angleRandomWalk": 3e-5,
+        "noise.pickOff": 1e-6,
         "resonator.material.dampingAnisotropy": 1e-6,
         "pickOff.gainMismatch": 1e-3,
     },

@@ -31,7 +31,7 @@ def test_both_standards_give_the_same_bits(fmu_path: Path, fmi3_path: Path) -> N
                 "seed": 5,
                 "startAngle": 0.4,
                 "angularRate": 0.2,
-                "noise.angleRandomWalk": 1e-12,
+                "noise.angleRandomWalk": 1e-6,
                 "resonator.material.dampingAnisotropy": 1e-6,
             },
             output=["gyroAngle", "amplitudeForce", "valid"],

@@ -12,7 +12,7 @@ PARAMETERS = {
     "startAmplitude": 0.5,
     "startAngle": 0.3,
     "pickOff.offset": 1e-4,
-    "noise.pickOff": 1e-12,
+    "noise.pickOff": 1e-6,
     "resonator.material.dampingAnisotropy": 1e-6,
 }
 

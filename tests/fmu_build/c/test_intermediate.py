@@ -8,7 +8,7 @@ import pytest
 
 from tests.fmu_build.importer import Importer
 
-PARAMETERS = {"seed": 4, "noise.pickOff": 1e-12, "startAngle": 0.2}
+PARAMETERS = {"seed": 4, "noise.pickOff": 1e-6, "startAngle": 0.2}
 
 
 class Update:

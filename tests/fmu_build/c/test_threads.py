@@ -10,7 +10,7 @@ THREADS = 4
 
 
 def _started(folder: Path, seed: int) -> Importer:
-    noise = {"noise.pickOff": 1e-12, "noise.angleRandomWalk": 1e-9}
+    noise = {"noise.pickOff": 1e-6, "noise.angleRandomWalk": 3e-5}
     return Importer(folder).begin({"seed": seed, "startAngle": 0.1 * seed, **noise})
 
 

@@ -142,8 +142,8 @@ def test_the_gyros_own_noise_is_found() -> None:
     """HRGSlow at rest; each interval misses with a chance of 5 %, three times as wide hardly."""
     angle_walk, flicker, reading, bryan = 1e-7, 2e-8, 3e-7, 0.277
     parameters = {
-        "noise.angleRandomWalk": angle_walk**2,
-        "noise.pickOff": (2 * bryan * reading) ** 2 * 1e-3,
+        "noise.angleRandomWalk": angle_walk,
+        "noise.pickOff": 2 * bryan * reading * 1e-3**0.5,
         "noise.biasInstability": flicker,
         "samplePeriod": 1.0,
     }

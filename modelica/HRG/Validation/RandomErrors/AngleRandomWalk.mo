@@ -7,8 +7,8 @@ model AngleRandomWalk "Force noise: Allan deviation N/(a sqrt(T)), inverse to th
       seed = 1,
       startAmplitude = amplitude,
       amplitudeSetpoint = amplitude,
-      noise(angleRandomWalk = present*density)));
-  parameter Units.AngleNoiseDensity density = 1e-12 "N^2, at nominal amplitude";
+      noise(angleRandomWalk = present*coefficient)));
+  parameter Units.AngleRandomWalk coefficient = 1e-6 "N, at nominal amplitude";
   parameter Units.Displacement amplitude = 0.5 "a";
   parameter Units.Time average = 0.1 "Averaging time";
   BaseClasses.AllanDeviation allan(
@@ -17,8 +17,8 @@ model AngleRandomWalk "Force noise: Allan deviation N/(a sqrt(T)), inverse to th
     average = average) "Of the output";
 equation
   measured = allan.deviation;
-  expected = sqrt(density/average)/amplitude;
-  scale = sqrt(density/average)/amplitude;
+  expected = coefficient/sqrt(average)/amplitude;
+  scale = coefficient/sqrt(average)/amplitude;
   annotation (experiment(StopTime = 155), Documentation(info="<html>
 <p>Mechanism 20 and the white part of 22. 1500 means: 3.5 standard deviations are 0.08.</p>
 </html>"));

@@ -3,8 +3,8 @@ model RateRandomWalk "Rate random walk: Allan deviation K sqrt(T/3)"
   extends BaseClasses.Claim(
     redeclare type Quantity = Units.AngularRate,
     tolerance = 0.12,
-    gyro(seed = 1, noise(rateRandomWalk = present*density)));
-  parameter Real density(unit = "rad2/s3") = 1e-12 "K^2";
+    gyro(seed = 1, noise(rateRandomWalk = present*coefficient)));
+  parameter Units.RateRandomWalk coefficient = 1e-6 "K";
   parameter Units.Time average = 0.5 "Averaging time";
   BaseClasses.AllanDeviation allan(
     samplePeriod = gyro.samplePeriod,
@@ -12,8 +12,8 @@ model RateRandomWalk "Rate random walk: Allan deviation K sqrt(T/3)"
     average = average) "Of the output";
 equation
   measured = allan.deviation;
-  expected = sqrt(density*average/3);
-  scale = sqrt(density*average/3);
+  expected = coefficient*sqrt(average/3);
+  scale = coefficient*sqrt(average/3);
   annotation (experiment(StopTime = 305), Documentation(info="<html>
 <p>Mechanism 22; IEEE Std 952. 600 means: 3.5 standard deviations are 0.11.</p>
 </html>"));

@@ -29,8 +29,8 @@ def measured(fmu: GyroFmu, device: Device, seed: int = 1) -> Outcome:
 
 
 def test_typical_gyro_walks_ten_times_as_fast_under_virtual_rotation(slow_fmu: GyroFmu) -> None:
-    """The paper's order of magnitude, by the noise of the commanded rotation: V sqrt(density)."""
-    turning = random_walk.ROTATION * math.sqrt(TYPICAL.model[coverage.NOISE])
+    """The paper's order of magnitude, by the relative noise s of the commanded rotation: V s."""
+    turning = random_walk.ROTATION * TYPICAL.model[coverage.NOISE]
     expected = math.hypot(TYPICAL.angle_random_walk, turning) / TYPICAL.angle_random_walk
     assert expected == pytest.approx(10, rel=0.01)
     ratio = measured(slow_fmu, TYPICAL).finding(random_walk.RATIO)

@@ -18,7 +18,7 @@ from pyhrg.records.campaign import Campaign
 from pyhrg.theory import closed_forms as theory
 from tests.pyhrg.bench.cases import QUIET, slow_bench
 
-NOISE = {"noise.virtualRotation": (1e-3 * DEG_PER_SQRT_H / ROTATION) ** 2}
+NOISE = {"noise.virtualRotation": 1e-3 * DEG_PER_SQRT_H / ROTATION}
 """Of the rotation: an angle random walk of 1e-3 deg/sqrt(h), ten times the typical gyro's."""
 
 

@@ -2,6 +2,8 @@
 #ifndef LIMITS_H
 #define LIMITS_H
 
+#include "names.h"
+
 /* In place of a bound that is not given. */
 #define UNLIMITED 1e300
 

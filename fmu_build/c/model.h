@@ -4,6 +4,7 @@
 #define MODEL_H
 
 #include "model_constants.h"
+#include "names.h"
 #include "real.h"
 
 /* Continuous inputs, which may change evenly within a step. */

@@ -2,6 +2,8 @@
 #ifndef NUMBER_H
 #define NUMBER_H
 
+#include "names.h"
+
 #define NUMBER_SIZE 32
 #define RANGE_SIZE (2 * NUMBER_SIZE + 16)
 

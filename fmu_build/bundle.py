@@ -41,6 +41,7 @@ SOURCES = (
     "limits.c",
     "number.c",
     "instance.c",
+    "log.c",
     "inputs.c",
     "snapshot.c",
     "derivative.c",

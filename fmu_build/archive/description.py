@@ -14,6 +14,7 @@ from fmu_build.roots import Root
 
 LOG_CATEGORIES = {
     "logStatusError": "Refused calls and failed steps, with the reason",
+    "logStatusDiscard": "Values out of range, which were not set",
     "logEvents": "Initialization, termination, reset, restored states",
 }
 """What the C shell reports, in the order of its `log_categories`."""

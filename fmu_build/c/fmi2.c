@@ -10,6 +10,12 @@
 
 static fmi2Status status(int success) { return success ? fmi2OK : fmi2Error; }
 
+static fmi2Status answered(Answer answer) {
+  return answer == DISCARDED ? fmi2Discard : status(answer == DONE);
+}
+
+static const fmi2Status told_as[LOG_CATEGORIES] = {fmi2Error, fmi2Discard, fmi2OK};
+
 /* The message goes as the format itself, since many importers show it unformatted; a per cent
    sign, which only a caller's own text could bring in, would be a conversion to the others. */
 static void tell(const Listener *listener, const char *name, Category category, const char *message) {
@@ -18,8 +24,7 @@ static void tell(const Listener *listener, const char *name, Category category, 
   size_t i = 0;
   for (; message[i] && i < sizeof text - 1; i++) text[i] = message[i] == '%' ? '_' : message[i];
   text[i] = '\0';
-  logger(listener->environment, name, category == LOG_ERROR ? fmi2Error : fmi2OK,
-         log_categories[category], text);
+  logger(listener->environment, name, told_as[category], log_categories[category], text);
 }
 
 const char *fmi2GetTypesPlatform(void) { return fmi2TypesPlatform; }
@@ -75,12 +80,12 @@ fmi2Status fmi2GetInteger(fmi2Component c, const fmi2ValueReference vr[], size_t
 
 fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference vr[], size_t n,
                        const fmi2Real value[]) {
-  return status(instance_set(c, vr, n, REAL, value));
+  return answered(instance_set(c, vr, n, REAL, value));
 }
 
 fmi2Status fmi2SetInteger(fmi2Component c, const fmi2ValueReference vr[], size_t n,
                           const fmi2Integer value[]) {
-  return status(instance_set(c, vr, n, INTEGER, value));
+  return answered(instance_set(c, vr, n, INTEGER, value));
 }
 
 /* Kinds of variables that the model does not have. */

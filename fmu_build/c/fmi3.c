@@ -15,11 +15,12 @@ typedef struct {
 
 static fmi3Status status(int success) { return success ? fmi3OK : fmi3Error; }
 
+static const fmi3Status told_as[LOG_CATEGORIES] = {fmi3Error, fmi3Discard, fmi3OK};
+
 static void tell(const Listener *listener, const char *name, Category category, const char *message) {
   fmi3LogMessageCallback logger = (fmi3LogMessageCallback)listener->logger;
   (void)name;
-  logger(listener->environment, category == LOG_ERROR ? fmi3Error : fmi3OK, log_categories[category],
-         message);
+  logger(listener->environment, told_as[category], log_categories[category], message);
 }
 
 const char *fmi3GetVersion(void) { return fmi3Version; }
@@ -101,6 +102,13 @@ static int same_size(fmi3Instance c, size_t expected, size_t given) {
                          (unsigned long)expected);
 }
 
+static fmi3Status set(fmi3Instance c, const fmi3ValueReference vr[], size_t n, Kind kind,
+                      const void *value, size_t values) {
+  if (!same_size(c, n, values)) return fmi3Error;
+  Answer answer = instance_set(c, vr, n, kind, value);
+  return answer == DISCARDED ? fmi3Discard : status(answer == DONE);
+}
+
 fmi3Status fmi3GetFloat64(fmi3Instance c, const fmi3ValueReference vr[], size_t n, fmi3Float64 value[],
                           size_t values) {
   return status(same_size(c, n, values) && instance_get(c, vr, n, REAL, value));
@@ -108,7 +116,7 @@ fmi3Status fmi3GetFloat64(fmi3Instance c, const fmi3ValueReference vr[], size_t 
 
 fmi3Status fmi3SetFloat64(fmi3Instance c, const fmi3ValueReference vr[], size_t n,
                           const fmi3Float64 value[], size_t values) {
-  return status(same_size(c, n, values) && instance_set(c, vr, n, REAL, value));
+  return set(c, vr, n, REAL, value, values);
 }
 
 fmi3Status fmi3GetInt32(fmi3Instance c, const fmi3ValueReference vr[], size_t n, fmi3Int32 value[],
@@ -118,7 +126,7 @@ fmi3Status fmi3GetInt32(fmi3Instance c, const fmi3ValueReference vr[], size_t n,
 
 fmi3Status fmi3SetInt32(fmi3Instance c, const fmi3ValueReference vr[], size_t n,
                         const fmi3Int32 value[], size_t values) {
-  return status(same_size(c, n, values) && instance_set(c, vr, n, INTEGER, value));
+  return set(c, vr, n, INTEGER, value, values);
 }
 
 /* Kinds of variables that the model does not have. */

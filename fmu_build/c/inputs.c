@@ -28,7 +28,7 @@ int inputs_set_slopes(Instance *instance, const unsigned *references, size_t n, 
 
 static int is_within(Instance *instance, unsigned reference, double value) {
   const Limits *limit = &limits[reference];
-  return (value >= limit->minimum && value <= limit->maximum) ||
+  return limits_hold(limit, value) ||
          instance_refuse(instance, "the step leads to %s = %s, which is outside its range%s",
                          limit->name, NUMBER(value), RANGE(limit->minimum, limit->maximum));
 }

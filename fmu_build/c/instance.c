@@ -4,61 +4,18 @@
 #include "limits.h"
 #include "number.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-const char *const log_categories[LOG_CATEGORIES] = {"logStatusError", "logEvents"};
 
 static const char *const phase_names[] = {"before initialization", "during initialization",
                                           "between steps",         "within a step",
                                           "after a failed step",   "after termination"};
 
-static void tell(const Instance *instance, Category category, const char *message) {
-  const Listener *listener = &instance->listener;
-  if (instance->logged[category] && listener->logger)
-    listener->tell(listener, instance->name, category, message);
-}
-
-int instance_refuse(Instance *instance, const char *format, ...) {
-  if (!instance) return 0;
-  char text[512];
-  va_list arguments;
-  va_start(arguments, format);
-  vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  tell(instance, LOG_ERROR, text);
-  return 0;
-}
-
-void instance_note(Instance *instance, const char *event) {
-  char text[128];
-  if (!instance->logged[LOG_EVENT]) return;
-  snprintf(text, sizeof text, "%s at %s s", event, NUMBER(instance->now.time));
-  tell(instance, LOG_EVENT, text);
-}
-
 int instance_may(Instance *instance, unsigned phases, const char *call) {
   if (!instance) return 0;
   if (phases & IN(instance->now.phase)) return 1;
   return instance_refuse(instance, "%s is not legal %s", call, phase_names[instance->now.phase]);
-}
-
-int instance_log(Instance *instance, int on, size_t n, const char *const *categories) {
-  int chosen[LOG_CATEGORIES] = {0};
-  if (!instance_may(instance, ALWAYS, "logging")) return 0;
-  if (n && !categories) return instance_refuse(instance, "a null pointer to log categories");
-  for (size_t i = 0; i < n; i++) {
-    int k = 0;
-    while (k < LOG_CATEGORIES && categories[i] && strcmp(categories[i], log_categories[k]) != 0) k++;
-    if (k == LOG_CATEGORIES || !categories[i])
-      return instance_refuse(instance, "there is no log category %.100s",
-                             categories[i] ? categories[i] : "(null)");
-    chosen[k] = 1;
-  }
-  for (int k = 0; k < LOG_CATEGORIES; k++) instance->logged[k] = on && (chosen[k] || !n);
-  return 1;
 }
 
 static void start_over(Instance *instance) {
@@ -73,7 +30,7 @@ void *instance_create(size_t size, const char *name, const char *token, unsigned
   if (!instance) return NULL;
   instance->listener = *listener;
   instance->references = references;
-  instance->logged[LOG_ERROR] = 1;
+  instance->logged[LOG_ERROR] = instance->logged[LOG_DISCARD] = 1;
   instance->logged[LOG_EVENT] = logging;
   snprintf(instance->name, sizeof instance->name, "%s", name ? name : "");
   if (!token || strcmp(token, model_token) != 0) {
@@ -210,8 +167,8 @@ static double given(const void *values, size_t i, Kind kind) {
   return kind == INTEGER ? (double)((const int *)values)[i] : ((const double *)values)[i];
 }
 
-static int can_set(Instance *instance, unsigned reference, Kind kind, double value) {
-  if (!is_known(instance, reference, kind)) return 0;
+static Answer can_set(Instance *instance, unsigned reference, Kind kind, double value) {
+  if (!is_known(instance, reference, kind)) return REFUSED;
   const Limits *limit = &limits[reference];
   if (limit->settable == SET_NEVER)
     return instance_refuse(instance, "%s can't be set at all", limit->name);
@@ -220,25 +177,28 @@ static int can_set(Instance *instance, unsigned reference, Kind kind, double val
   if (reference == MODEL_ANGLE && instance->now.phase == UPDATING)
     return instance_refuse(instance, "%s is that of the step's end, and can't be set within it",
                            limit->name);
-  if (!(value >= limit->minimum && value <= limit->maximum)) /* catches NaN */
-    return instance_refuse(instance, "%s = %s is outside its range%s", limit->name, NUMBER(value),
-                           RANGE(limit->minimum, limit->maximum));
-  return 1;
+  if (!limits_hold(limit, value))
+    return instance_discard(instance, "%s = %s is outside its range%s", limit->name, NUMBER(value),
+                   RANGE(limit->minimum, limit->maximum));
+  return DONE;
 }
 
-int instance_set(Instance *instance, const unsigned *references, size_t n, Kind kind,
-                 const void *values) {
+Answer instance_set(Instance *instance, const unsigned *references, size_t n, Kind kind,
+                    const void *values) {
   if (!instance_may(instance, SETTABLE, "setting variables") ||
       !are_given(instance, references, n, values))
-    return 0;
-  for (size_t i = 0; i < n; i++)
-    if (!can_set(instance, references[i], kind, given(values, i, kind))) return 0;
+    return REFUSED;
+  for (size_t i = 0; i < n; i++) {
+    Answer answer = can_set(instance, references[i], kind, given(values, i, kind));
+    if (answer != DONE) return answer;
+  }
   Core *core = &instance->now.core;
-  for (size_t i = 0; i < n; i++) core->v[references[i]] = given(values, i, kind);
+  for (size_t i = 0; i < n; i++)
+    core->v[references[i]] = limits_nearest(&limits[references[i]], given(values, i, kind));
   core_touch(core);
   if (IN(instance->now.phase) & BEFORE_STEPS) core_settle(core);
   instance_touch(instance);
-  return 1;
+  return DONE;
 }
 
 static int is_step(Instance *instance, double time, double step) {

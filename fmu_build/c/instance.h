@@ -22,7 +22,7 @@ typedef enum { INSTANTIATED, INITIALIZING, STEPPING, UPDATING, FAILED, TERMINATE
 #define OUTSIDE_A_STEP (BEFORE_STEPS | IN(STEPPING) | IN(FAILED) | IN(TERMINATED))
 #define ALWAYS (OUTSIDE_A_STEP | IN(UPDATING))
 
-typedef enum { LOG_ERROR, LOG_EVENT, LOG_CATEGORIES } Category;
+typedef enum { LOG_ERROR, LOG_DISCARD, LOG_EVENT, LOG_CATEGORIES } Category;
 extern const char *const log_categories[LOG_CATEGORIES];
 
 /* Who is told, and how; the logger is the importer's function in the type of its FMI version. */
@@ -34,6 +34,10 @@ typedef struct Listener {
 } Listener;
 
 typedef enum { REAL, INTEGER } Kind;
+
+/* To a call that sets values. DISCARDED: a value is out of range, and nothing was set; the simulation
+   can go on with those before. */
+typedef enum { REFUSED, DONE, DISCARDED } Answer;
 
 typedef struct {
   Core core;
@@ -76,8 +80,9 @@ void instance_touch(Instance *instance);
 int instance_knows(unsigned reference, Kind kind);
 /* Values are double or int, by kind. */
 int instance_get(Instance *instance, const unsigned *references, size_t n, Kind kind, void *values);
-int instance_set(Instance *instance, const unsigned *references, size_t n, Kind kind,
-                 const void *values);
+/* A value beyond its range by a rounding is the end of the range. */
+Answer instance_set(Instance *instance, const unsigned *references, size_t n, Kind kind,
+                    const void *values);
 int instance_step(Instance *instance, double time, double step, Between between);
 
 /* Errors are told from the start, events if logging is on; this call then decides for all:
@@ -87,6 +92,7 @@ int instance_log(Instance *instance, int on, size_t n, const char *const *catego
 /* Whether a call is legal in the present phase. */
 int instance_may(Instance *instance, unsigned phases, const char *call);
 int instance_refuse(Instance *instance, const char *format, ...);
+Answer instance_discard(Instance *instance, const char *format, ...);
 void instance_note(Instance *instance, const char *event);
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "names.h"
 
+#include <math.h>
+
 /* In place of a bound that is not given. */
 #define UNLIMITED 1e300
 
@@ -16,6 +18,20 @@ typedef struct {
   int continuous; /* algebraic: computed when it is asked for */
   double minimum, maximum;
 } Limits;
+
+/* What a value may exceed its range by, over the larger end: some forty roundings of a double. */
+#define ROUNDING 1e-14
+
+/* Whether a value is within its range, but for a rounding; NaN is not. */
+static inline int limits_hold(const Limits *limit, double value) {
+  double low = fabs(limit->minimum), high = fabs(limit->maximum);
+  double larger = fmax(low < UNLIMITED ? low : 0.0, high < UNLIMITED ? high : 0.0);
+  return value >= limit->minimum - ROUNDING * larger && value <= limit->maximum + ROUNDING * larger;
+}
+
+static inline double limits_nearest(const Limits *limit, double value) {
+  return value < limit->minimum ? limit->minimum : value > limit->maximum ? limit->maximum : value;
+}
 
 extern const Limits limits[]; /* by offset, MODEL_VARIABLES entries */
 extern const char *const model_token;

@@ -32,6 +32,7 @@
 #define inputs_end OWN(inputs_end)
 #define inputs_set_slopes OWN(inputs_set_slopes)
 #define instance_create OWN(instance_create)
+#define instance_discard OWN(instance_discard)
 #define instance_enter_initialization OWN(instance_enter_initialization)
 #define instance_exit_initialization OWN(instance_exit_initialization)
 #define instance_get OWN(instance_get)

@@ -46,6 +46,7 @@ def test_events_are_told_with_it(folder: Path) -> None:
     ("on", "chosen", "heard"),
     [
         (True, [], {"logStatusError", "logEvents"}),
+        (True, ["logStatusDiscard"], set()),
         (True, ["logEvents"], {"logEvents"}),
         (True, ["logStatusError"], {"logStatusError"}),
         (False, [], set()),
@@ -67,6 +68,7 @@ def test_unknown_category_is_refused_by_name_and_changes_nothing(gyro: Importer)
 def test_description_lists_what_is_told(gyro: Importer) -> None:
     text = (Path(gyro.slave.unzipDirectory) / "modelDescription.xml").read_text()
     assert 'Category name="logStatusError"' in text
+    assert 'Category name="logStatusDiscard"' in text
     assert 'Category name="logEvents"' in text
 
 

@@ -70,6 +70,8 @@ def describe_fmi3(dae: Dae, model: Root, token: str) -> str:
     """modelDescription.xml of FMI 3.0, co-simulation."""
     listed = list(list_scalars(dae))
     root = _root("3.0", model, FMI3_CAPABILITIES, instantiationToken=token)
+    if dae.settable_period is None:
+        root[0].set("fixedInternalStepSize", repr(float(dae.sample_period)))
     variables = _common(root, listed, model.step)
     for scalar in listed:
         kind = "Int32" if scalar.whole else "Float64"

@@ -1,5 +1,6 @@
 """FMI 3.0: sound by FMPy's rules, and the same numbers as FMI 2.0."""
 
+import xml.etree.ElementTree as ET
 import zipfile
 from pathlib import Path
 
@@ -48,6 +49,17 @@ def test_same_variables_but_time(fmu_path: Path, fmi3_path: Path) -> None:
     ]
     assert {name for name, *_ in described[1] - described[0]} == {"time"}
     assert described[0] <= described[1]
+
+
+@pytest.mark.parametrize(
+    ("model", "step"), [("HRG", 1e-3), ("HRGCarrier", 5e-6), ("HRGSlow", None)]
+)
+def test_fixed_internal_step_is_told_where_it_is_fixed(model: str, step: float | None) -> None:
+    """It is the base clock; that of `HRGSlow` is a parameter."""
+    with zipfile.ZipFile(build_fmu(model, fmi=3)) as archive:
+        root = ET.fromstring(archive.read("modelDescription.xml"))
+    (interface,) = root.findall("CoSimulation")
+    assert interface.get("fixedInternalStepSize") == (None if step is None else repr(step))
 
 
 def test_sources_are_packed_with_their_build_description(fmi3_path: Path) -> None:

@@ -26,9 +26,23 @@ Run = tuple[float, float]
 SPLIT = {"resonator.material.frequencySplit": 1.5e-3, "resonator.material.stiffnessAxis": 0.1}
 WARM = {"caseTemperature": 308.15}
 SOAK = {"resonator.environment.thermalLag": 1.0}
+WARMING = {
+    "resonator.environment.thermalLag": 30.0,
+    "resonator.material.dampingAnisotropyPerKelvin": 0.01,
+}
 PUSHED = {"accelerationX": 7.0, "accelerationY": 8.0, "accelerationZ": -9.0}
 
 CASES: dict[str, tuple[float, Values, Values]] = {
+    "resonator.environment.startTemperature": (
+        -5.0,
+        {"resonator.material.dampingAnisotropy": 1e-4, **WARMING},
+        {},
+    ),
+    "resonator.environment.selfHeating": (
+        5.0,
+        {"resonator.material.dampingAnisotropy": 1e-4, **WARMING},
+        {},
+    ),
     "resonator.material.decayTimePerKelvin": (-0.01, SOAK, WARM),
     "resonator.material.decayTimeAgeing": (1e-4, {}, {}),
     "resonator.material.dampingAnisotropy": (1e-4, {}, {}),

@@ -29,7 +29,7 @@ those of Conventions. Each line is demonstrated by models of <code>HRG.Validatio
 <tr><td>20</td><td>force noise</td><td><code>noise.angleRandomWalk</code></td><td>N, over amplitude</td></tr>
 <tr><td>21</td><td>pick-off noise</td><td><code>noise.pickOff</code></td><td>white angle</td></tr>
 <tr><td>22</td><td>rate random walk, flicker</td><td><code>noise.rateRandomWalk</code>, <code>noise.biasInstability</code></td><td>K; Allan deviation 0.664 B</td></tr>
-<tr><td>23</td><td>frequency over temperature</td><td><code>resonator.material.frequencyPerKelvin</code>, <code>resonator.environment.thermalLag</code></td><td>P</td></tr>
+<tr><td>23</td><td>frequency over temperature</td><td><code>resonator.material.frequencyPerKelvin</code>, <code>resonator.environment.thermalLag</code>; warm-up from <code>startTemperature</code> by <code>selfHeating</code></td><td>P; T - T_0 = T_s exp(-t/lag) + (T_c + T_h - T_0)(1 - exp(-t/lag))</td></tr>
 <tr><td>24</td><td>tau, D, g, p over temperature; its rate</td><td><code>...PerKelvin</code>; <code>drive.rotationPerTemperatureRate</code></td><td>as 1, 2, 7 scaled; B = -(e' dT/dt)/(2k tau)</td></tr>
 <tr><td>25</td><td>bias voltage, charge</td><td>input <code>biasVoltage</code>; <code>electrostaticShift</code>, <code>electrostaticSplit</code>, <code>electrostaticAxis</code></td><td>P and N with V^2 - 1, at constant temperature</td></tr>
 <tr><td>26</td><td>mounting</td><td><code>resonator.material.mountingDamping</code>, <code>mountingAxis</code></td><td>adds to 1 as a vector</td></tr>

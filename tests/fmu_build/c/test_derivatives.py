@@ -17,6 +17,9 @@ PARAMETERS = {
     "resonator.material.dampingAxis": 0.4,
     "controller.readout.clockError": 1e-5,
     "noise.pickOff": 1e-6,
+    "resonator.environment.startTemperature": -10.0,
+    "resonator.environment.thermalLag": 2.0,
+    "resonator.environment.selfHeating": 5.0,
 }
 
 MOVE = 1e-4
@@ -34,9 +37,6 @@ CONVERTER = {
 """Zero turns them off: else readings or outputs are steps or clipped, and move with nothing."""
 
 RESTING = {
-    "resonator.environment.thermalLag",
-    "pickOff.gainPerKelvin",
-    "pickOff.phasePerKelvin",
     "pickOff.feedthrough",
     "controller.startUp.firstTime",
     "controller.startUp.fullTime",
@@ -45,7 +45,7 @@ RESTING = {
     "noise.biasInstability",
     "noise.virtualRotation",
 }
-"""At the start time warming, forces and the ramp are zero, and these are multiplied by them; noise
+"""At the start time forces and the ramp are zero, and these are multiplied by them; noise
 that has moved nothing yet only decides whether any is drawn."""
 
 STILL = {"valid", "gyroRate", "noise.isMade"}

@@ -28,7 +28,7 @@ from fmu_build.binaries.platforms import (
 from fmu_build.code.generate import generate_header, generate_source
 from fmu_build.equations.dae import Dae
 from fmu_build.equations.modelica import read_page
-from fmu_build.equations.scalars import find_causality
+from fmu_build.equations.scalars import find_causality, is_tunable
 from fmu_build.equations.sorting import sort_equations
 from fmu_build.equations.translate import COMPILER_VERSION, translate
 from fmu_build.roots import ROOTS, Root
@@ -236,6 +236,7 @@ def _limits(dae: Dae, token: str) -> str:
     on_demand = {a.target[1] for a in (*plan.held, *plan.outputs)}
     for index, variable in enumerate(dae.variables):
         kind = kinds.get(find_causality(dae, variable), "SET_NEVER")
+        kind = "SET_TUNABLE" if is_tunable(dae, variable) else kind
         whole = int(variable.scalar == "integer")
         continuous = int(index in on_demand)
         for element in range(variable.count):

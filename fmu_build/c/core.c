@@ -20,6 +20,11 @@ void core_settle(Core *core) {
   core_touch(core);
 }
 
+void core_retune(Core *core) {
+  model_parameters(core->v);
+  core_touch(core);
+}
+
 void core_touch(Core *core) { core->held_fresh = core->outputs_fresh = 0; }
 
 static void refresh_held(Core *core) {

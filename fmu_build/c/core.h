@@ -19,6 +19,8 @@ typedef struct {
 void core_reset(Core *core);
 /* What depends on parameters, before the first tick. */
 void core_settle(Core *core);
+/* What depends on parameters, after one was set that is tunable. */
+void core_retune(Core *core);
 /* To be called after an input was set. */
 void core_touch(Core *core);
 /* From here on an input of model_inputs changes evenly, at a slope. */

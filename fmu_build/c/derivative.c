@@ -49,7 +49,7 @@ static int is_variable_now(Instance *instance, unsigned reference) {
   if (!instance_knows(reference, REAL))
     return instance_refuse(instance, "no real variable has the value reference %u", reference);
   return limits[reference].settable == SET_INPUT ||
-         (limits[reference].settable == SET_PARAMETER && instance->now.phase == INITIALIZING) ||
+         (limits[reference].settable != SET_NEVER && instance->now.phase == INITIALIZING) ||
          instance_refuse(instance, "nothing can be differentiated by %s in this phase",
                          limits[reference].name);
 }

@@ -174,6 +174,8 @@ static Answer can_set(Instance *instance, unsigned reference, Kind kind, double 
     return instance_refuse(instance, "%s can't be set at all", limit->name);
   if (limit->settable == SET_PARAMETER && !(IN(instance->now.phase) & BEFORE_STEPS))
     return instance_refuse(instance, "%s can't be set after initialization", limit->name);
+  if (limit->settable == SET_TUNABLE && instance->now.phase == UPDATING)
+    return instance_refuse(instance, "%s can't be set within a step", limit->name);
   if (reference == MODEL_ANGLE && instance->now.phase == UPDATING)
     return instance_refuse(instance, "%s is that of the step's end, and can't be set within it",
                            limit->name);
@@ -193,10 +195,17 @@ Answer instance_set(Instance *instance, const unsigned *references, size_t n, Ki
     if (answer != DONE) return answer;
   }
   Core *core = &instance->now.core;
-  for (size_t i = 0; i < n; i++)
-    core->v[references[i]] = limits_nearest(&limits[references[i]], given(values, i, kind));
+  int is_retuned = 0;
+  for (size_t i = 0; i < n; i++) {
+    const Limits *limit = &limits[references[i]];
+    core->v[references[i]] = limits_nearest(limit, given(values, i, kind));
+    is_retuned |= limit->settable == SET_TUNABLE;
+  }
   core_touch(core);
-  if (IN(instance->now.phase) & BEFORE_STEPS) core_settle(core);
+  if (IN(instance->now.phase) & BEFORE_STEPS)
+    core_settle(core);
+  else if (is_retuned)
+    core_retune(core);
   instance_touch(instance);
   return DONE;
 }

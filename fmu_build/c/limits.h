@@ -9,7 +9,7 @@
 /* In place of a bound that is not given. */
 #define UNLIMITED 1e300
 
-typedef enum { SET_NEVER, SET_PARAMETER, SET_INPUT } Settable;
+typedef enum { SET_NEVER, SET_PARAMETER, SET_TUNABLE, SET_INPUT } Settable;
 
 typedef struct {
   const char *name;

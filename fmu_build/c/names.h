@@ -21,6 +21,7 @@
 #define core_next_tick OWN(core_next_tick)
 #define core_refresh OWN(core_refresh)
 #define core_reset OWN(core_reset)
+#define core_retune OWN(core_retune)
 #define core_settle OWN(core_settle)
 #define core_slope OWN(core_slope)
 #define core_ticks_before OWN(core_ticks_before)

@@ -1,10 +1,18 @@
 """Scalar variables of a model as both FMI standards describe them."""
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from fmu_build.equations.dae import Dae, Variable
+from fmu_build.equations.dependencies import trace_dependencies
 from fmu_build.equations.modelica import RealType, read_types
+
+TUNABLE = re.compile(
+    r"(.*\.)?controller\.((biasMap|scaleFactorMap|cancellation)\.\w+|quadratureSetpoint)"
+)
+"""Names of the parameters that can be set while the gyro runs: calibrated compensations of the
+electronics, which act from the next tick on; no start value is made of them."""
 
 
 @dataclass(frozen=True)
@@ -25,11 +33,13 @@ class Scalar:
 def list_scalars(dae: Dae) -> Iterator[Scalar]:
     """All scalars of a model, in the order of their value references."""
     types = read_types(variable.file for variable in dae.variables)
+    tunable = _list_tunable(dae)
     for index, variable in enumerate(dae.variables):
         causality = find_causality(dae, variable)
         declared = _find_declared_type(variable, types)
         variability = "discrete" if variable.role == "discrete_real" else "continuous"
-        variability = "fixed" if variable.role == "parameter" else variability
+        if variable.role == "parameter":
+            variability = "tunable" if index in tunable else "fixed"
         texts = {"description": variable.description, "unit": variable.unit}
         if declared is not None:
             texts |= {"quantity": declared.quantity, "displayUnit": declared.display_unit}
@@ -53,6 +63,22 @@ def find_causality(dae: Dae, variable: Variable) -> str:
         settable = variable.tunable and dae.is_constant(variable.binding, variable.count)
         return "parameter" if settable else "calculatedParameter"
     return variable.causality if "." not in variable.name else "local"
+
+
+def is_tunable(dae: Dae, variable: Variable) -> bool:
+    """Whether a parameter can be set while the simulation runs."""
+    return find_causality(dae, variable) == "parameter" and bool(TUNABLE.fullmatch(variable.name))
+
+
+def _list_tunable(dae: Dae) -> set[int]:
+    """Indices of the parameters that can be set then, and of those computed from them."""
+    own = {i for i, v in enumerate(dae.variables) if is_tunable(dae, v)}
+    offsets = {dae.variables[i].offset for i in own}
+    calculated = {
+        i for i, v in enumerate(dae.variables) if find_causality(dae, v) == "calculatedParameter"
+    }
+    depends = trace_dependencies(dae, calculated)
+    return own | {i for i in calculated if offsets & set(depends[i].initial)}
 
 
 def _find_declared_type(variable: Variable, types: Mapping[str, RealType]) -> RealType | None:

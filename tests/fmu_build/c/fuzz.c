@@ -414,7 +414,7 @@ static void try_derivative(void) {
     legal &= knowns[i] < MODEL_VARIABLES && !limits[knowns[i]].integer;
     if (legal) {
       Settable s = limits[knowns[i]].settable;
-      legal &= s == SET_INPUT || (s == SET_PARAMETER && known.phase == INITIALIZING);
+      legal &= s == SET_INPUT || (s != SET_NEVER && known.phase == INITIALIZING);
     }
   }
   prepare(legal);

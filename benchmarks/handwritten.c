@@ -1,5 +1,5 @@
 /* The gyro's tick as one would write it by hand: the yardstick of the generated kernel. The same
-   arithmetic, generator and features as HRG.Gyroscopes.HRG with constant environment and drives that
+   arithmetic, generator and features as HRG.Gyroscopes.HRGEnvelope with constant environment and drives that
    are never overloaded. handwritten [TICKS [D [N]]] prints ns per tick and the angle after them,
    of a gyro with damping anisotropy D and angle random walk N by force noise. */
 #include "arithmetic.h"

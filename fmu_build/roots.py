@@ -34,7 +34,7 @@ ROOTS = {
     for root in (
         Root(
             "HRG",
-            "HRG.Gyroscopes.HRG",
+            "HRG.Gyroscopes.HRGEnvelope",
             "Whole-angle hemispherical resonator gyro: envelope, electronics at 1 kHz",
             "runge_kutta_4",
             "0.01",

@@ -15,8 +15,8 @@ SCHEMA_VERSION = 43
 
 def translate(library: Path, model: str, source: str = "", file: Path | None = None) -> Dae:
     """Flat equations of a model of a library (the folder of `package.mo`) by its full name, e.g.
-    `HRG.Gyroscopes.HRG`. A model that is not the library's own but uses it is given as its Modelica
-    text, `source`, or as the `file` that holds it."""
+    `HRG.Gyroscopes.HRGEnvelope`. A model that is not the library's own but uses it is given as its
+    Modelica text, `source`, or as the `file` that holds it."""
     if rumoca.version() != COMPILER_VERSION:
         raise HrgError(
             f"rumoca {rumoca.version()} is installed; expected {COMPILER_VERSION}, "

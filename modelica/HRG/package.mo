@@ -1,5 +1,5 @@
 package HRG "Whole-angle hemispherical resonator gyro: resonator, electrodes and control electronics"
-  annotation (Documentation(info="<html>
+  annotation (version = "0.1.0", uses(), Documentation(info="<html>
 <p>The single source of the physics of this project. A gyro is assembled in <code>HRG.Gyroscopes</code>
 from a resonator, its pick-off and drive electrodes, noise sources and a sampled controller; every part is
 an ordinary Modelica block, and no part knows how it is going to be exported or run.</p>

@@ -9,8 +9,8 @@ from fmu_build import BuildError, build_fmu
 
 TEXT = """model tilted "A gyro with a bias"
   extends HRG.Interfaces.PartialGyro;
-  parameter HRG.Units.AngularRate bias = {bias!r} "Bias";
-  HRG.Gyroscopes.HRG gyro(
+  parameter HRG.Units.AngularVelocity bias = {bias!r} "Bias";
+  HRG.Gyroscopes.HRGEnvelope gyro(
     seed = seed, startAngle = startAngle, startAmplitude = startAmplitude,
     angularRate = angularRate + bias,
     virtualRotation = virtualRotation, accelerationX = accelerationX,

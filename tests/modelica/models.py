@@ -73,18 +73,18 @@ def models(package: str) -> list[Model]:
 
 
 def _model(path: Path) -> Model:
-    annotation = _modifiers(defined(path).annotation)
+    annotation = modifiers(defined(path).annotation)
     if not annotation.keys() >= {"experiment", "Documentation"}:
         raise ValueError(f"{path.name}: expected annotation(experiment, Documentation)")
     return Model(
         name=".".join(path.with_suffix("").relative_to(find_modelica_library().parent).parts),
-        stop_time=float(_modifiers(annotation["experiment"])["StopTime"].value),
-        info=str(_modifiers(annotation["Documentation"])["info"].value),
+        stop_time=float(modifiers(annotation["experiment"])["StopTime"].value),
+        info=str(modifiers(annotation["Documentation"])["info"].value),
         text=path.read_text(),
     )
 
 
-def _modifiers(clause: pymoca.ast.ClassModification | None) -> dict[str, pymoca.ast.Node]:
+def modifiers(clause: pymoca.ast.ClassModification | None) -> dict[str, pymoca.ast.Node]:
     """First modification of each name."""
     arguments = clause.arguments if clause else []
     return {a.value.component.name: a.value.modifications[0] for a in arguments}

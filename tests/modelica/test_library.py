@@ -1,13 +1,14 @@
 """The library is standard Modelica, described throughout: read by a second, independent parser."""
 
 from collections.abc import Iterator
+from importlib.metadata import version
 from pathlib import Path
 
 import pymoca.ast
 import pytest
 
 from fmu_build.bundle import find_modelica_library
-from tests.modelica.models import defined
+from tests.modelica.models import defined, modifiers
 
 FILES = sorted(find_modelica_library().rglob("*.mo"))
 
@@ -16,6 +17,29 @@ def nested(item: pymoca.ast.Class) -> Iterator[pymoca.ast.Class]:
     yield item
     for child in item.classes.values():
         yield from nested(child)
+
+
+def names(path: Path) -> tuple[str, ...]:
+    """Of a file's class and the packages around it, from the library on."""
+    place = path.parent if path.name == "package.mo" else path.with_suffix("")
+    return place.relative_to(find_modelica_library().parent).parts
+
+
+def test_the_library_says_its_version_and_what_it_uses() -> None:
+    """The distribution's version; no other library."""
+    annotation = modifiers(defined(find_modelica_library() / "package.mo").annotation)
+    assert annotation["version"].value == version("hrg")
+    assert not annotation["uses"].arguments
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda p: ".".join(names(p)))
+def test_every_class_has_its_page_and_a_name_of_its_own(path: Path) -> None:
+    """A class named as a package around it would hide that package from what stands beside it."""
+    item = defined(path)
+    info = modifiers(modifiers(item.annotation)["Documentation"])["info"].value
+    assert len(info) > len("<html></html>")
+    for inner in nested(item):
+        assert inner.name not in names(path)[:-1]
 
 
 def test_the_library_is_there() -> None:

@@ -2,10 +2,10 @@ within HRG.Controls;
 block Accumulator "Integral of a rate that is held between samples"
   parameter Units.Time samplePeriod "Control period";
   parameter Units.Angle startAngle "Value at time 0";
-  input Units.AngularRate rate "Rate, held until the next sample";
+  input Units.AngularVelocity rate "Rate, held until the next sample";
   discrete output Units.Angle angle(start = startAngle, fixed = true) "Integral up to the sample";
 protected
-  discrete Units.AngularRate held(start = 0, fixed = true) "Rate since the last sample";
+  discrete Units.AngularVelocity held(start = 0, fixed = true) "Rate since the last sample";
 equation
   when sample(0, samplePeriod) then
     angle = pre(angle) + samplePeriod*pre(held);

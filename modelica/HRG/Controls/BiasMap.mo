@@ -1,20 +1,20 @@
 within HRG.Controls;
 block BiasMap "Bias against pattern angle as calibrated, and its integral to take out of the output"
   parameter Units.Time samplePeriod "Control period";
-  parameter Units.AngularRate mean(min = -1, max = 1) = 0 "Mean over the circumference, typically up to 0.2 deg/h";
-  parameter Units.AngularRate cos2(min = -1, max = 1) = 0 "Coefficient of cos 2 theta, typically up to 0.1 deg/h";
-  parameter Units.AngularRate sin2(min = -1, max = 1) = 0 "Coefficient of sin 2 theta, typically up to 0.1 deg/h";
-  parameter Units.AngularRate cos4(min = -1, max = 1) = 0 "Coefficient of cos 4 theta, typically 0.4 to 8 deg/h with damping left as it is";
-  parameter Units.AngularRate sin4(min = -1, max = 1) = 0 "Coefficient of sin 4 theta, typically 0.4 to 8 deg/h with damping left as it is";
-  parameter Units.AngularRate cos8(min = -1, max = 1) = 0 "Coefficient of cos 8 theta, typically up to 0.3 deg/h";
-  parameter Units.AngularRate sin8(min = -1, max = 1) = 0 "Coefficient of sin 8 theta, typically up to 0.3 deg/h";
-  input Units.Ratio cosine "Of the modal angle 2 theta";
-  input Units.Ratio sine "Of the modal angle 2 theta";
+  parameter Units.AngularVelocity mean(min = -1, max = 1) = 0 "Mean over the circumference, typically up to 0.2 deg/h";
+  parameter Units.AngularVelocity cos2(min = -1, max = 1) = 0 "Coefficient of cos 2 theta, typically up to 0.1 deg/h";
+  parameter Units.AngularVelocity sin2(min = -1, max = 1) = 0 "Coefficient of sin 2 theta, typically up to 0.1 deg/h";
+  parameter Units.AngularVelocity cos4(min = -1, max = 1) = 0 "Coefficient of cos 4 theta, typically 0.4 to 8 deg/h with damping left as it is";
+  parameter Units.AngularVelocity sin4(min = -1, max = 1) = 0 "Coefficient of sin 4 theta, typically 0.4 to 8 deg/h with damping left as it is";
+  parameter Units.AngularVelocity cos8(min = -1, max = 1) = 0 "Coefficient of cos 8 theta, typically up to 0.3 deg/h";
+  parameter Units.AngularVelocity sin8(min = -1, max = 1) = 0 "Coefficient of sin 8 theta, typically up to 0.3 deg/h";
+  input Units.DimensionlessRatio cosine "Of the modal angle 2 theta";
+  input Units.DimensionlessRatio sine "Of the modal angle 2 theta";
   discrete output Units.Angle correction(start = 0, fixed = true) "Integral of the bias since power-on";
 protected
-  discrete Units.AngularRate bias(start = 0, fixed = true) "Bias at the present pattern angle";
-  discrete Units.Ratio c4(start = 1, fixed = true) "cos 4 theta";
-  discrete Units.Ratio s4(start = 0, fixed = true) "sin 4 theta";
+  discrete Units.AngularVelocity bias(start = 0, fixed = true) "Bias at the present pattern angle";
+  discrete Units.DimensionlessRatio c4(start = 1, fixed = true) "cos 4 theta";
+  discrete Units.DimensionlessRatio s4(start = 0, fixed = true) "sin 4 theta";
 equation
   when sample(0, samplePeriod) then
     c4 = cosine*cosine - sine*sine;

@@ -1,9 +1,9 @@
 within HRG.Controls;
 block Controller "Phase, amplitude and quadrature loops and the read-out; whole-angle or force-to-rebalance"
   extends PartialController;
-  parameter Units.Force startForce "Force on the antinode at time 0";
-  output Units.Force force[4] "Commanded force {cos x, sin x, cos y, sin y}";
-  output Units.Force acting[4] "Force that was held up to the sample";
+  parameter Units.RelativeForce startForce "Force on the antinode at time 0";
+  output Units.RelativeForce force[4] "Commanded force {cos x, sin x, cos y, sin y}";
+  output Units.RelativeForce acting[4] "Force that was held up to the sample";
   ProportionalIntegral phaseLoop(
     samplePeriod = samplePeriod,
     naturalFrequency = 200,

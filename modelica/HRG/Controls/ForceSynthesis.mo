@@ -5,31 +5,31 @@ block ForceSynthesis "Loop commands, resolved from the pattern's axes into the e
   parameter Units.Time loopDelay(min = 0, max = 0.1) = 0
     "Age of the angle that forces are resolved with, beyond the sample, typically up to 1e-3";
   input Units.Angle patternAngle "Detected pattern angle";
-  input Units.Ratio cosine "Of the detected modal angle";
-  input Units.Ratio sine "Of the detected modal angle";
-  input Units.Displacement amplitude "Detected antinode amplitude";
-  input Units.Force antinodeForce "Command of the amplitude loop";
-  input Units.Force quadratureForce "Command of the quadrature loop";
-  input Units.AngularRate patternRate "Commanded rotation of the pattern";
-  input Units.Ratio driveOn "1 with the drive on, 0 off";
-  input Units.Force authority "A channel of the drives gives no more than this force; 0: no limit";
-  discrete output Units.Force force[4](each start = 0, each fixed = true) "Force {cos x, sin x, cos y, sin y}";
-  discrete output Units.Force acting[4](each start = 0, each fixed = true) "Force that was held up to the sample";
-  discrete output Units.Rate drivenGrowth(start = 0, fixed = true) "Force on the antinode over its amplitude";
-  discrete output Units.Force square(start = 0, fixed = true) "Force on the node, in phase with the displacement";
-  discrete output Units.Ratio overloaded(start = 0, fixed = true) "1 while a channel is at its limit";
-  discrete output Units.Ratio wasOverloaded(start = 0, fixed = true) "The same at the last sample";
-  discrete output Units.AngularRate lostRate(start = 0, fixed = true) "Pattern rate that the limit takes away";
+  input Units.DimensionlessRatio cosine "Of the detected modal angle";
+  input Units.DimensionlessRatio sine "Of the detected modal angle";
+  input Units.RelativeDisplacement amplitude "Detected antinode amplitude";
+  input Units.RelativeForce antinodeForce "Command of the amplitude loop";
+  input Units.RelativeForce quadratureForce "Command of the quadrature loop";
+  input Units.AngularVelocity patternRate "Commanded rotation of the pattern";
+  input Units.DimensionlessRatio driveOn "1 with the drive on, 0 off";
+  input Units.RelativeForce authority "A channel of the drives gives no more than this force; 0: no limit";
+  discrete output Units.RelativeForce force[4](each start = 0, each fixed = true) "Force {cos x, sin x, cos y, sin y}";
+  discrete output Units.RelativeForce acting[4](each start = 0, each fixed = true) "Force that was held up to the sample";
+  discrete output Units.DampingCoefficient drivenGrowth(start = 0, fixed = true) "Force on the antinode over its amplitude";
+  discrete output Units.RelativeForce square(start = 0, fixed = true) "Force on the node, in phase with the displacement";
+  discrete output Units.DimensionlessRatio overloaded(start = 0, fixed = true) "1 while a channel is at its limit";
+  discrete output Units.DimensionlessRatio wasOverloaded(start = 0, fixed = true) "The same at the last sample";
+  discrete output Units.AngularVelocity lostRate(start = 0, fixed = true) "Pattern rate that the limit takes away";
 protected
-  discrete Units.Force wanted[4](each start = 0, each fixed = true) "Force without a limit {cos x, sin x, cos y, sin y}";
+  discrete Units.RelativeForce wanted[4](each start = 0, each fixed = true) "Force without a limit {cos x, sin x, cos y, sin y}";
   discrete Units.Angle lastAngle(start = startAngle, fixed = true) "Pattern angle at the last sample";
   discrete Units.Angle lag(start = 0, fixed = true) "Modal angle by which the forces lag";
-  discrete Units.Ratio lagCosine(start = 1, fixed = true) "Of the lag, to fourth order";
-  discrete Units.Ratio lagSine(start = 0, fixed = true) "Of the lag, to fourth order";
-  discrete Units.Ratio c(start = 1, fixed = true) "Of the modal angle of the forces";
-  discrete Units.Ratio s(start = 0, fixed = true) "Of the modal angle of the forces";
-  discrete Units.Force antinode(start = 0, fixed = true) "Force on the antinode, in phase with the velocity";
-  discrete Units.Force node(start = 0, fixed = true) "Force on the node, in phase with the velocity";
+  discrete Units.DimensionlessRatio lagCosine(start = 1, fixed = true) "Of the lag, to fourth order";
+  discrete Units.DimensionlessRatio lagSine(start = 0, fixed = true) "Of the lag, to fourth order";
+  discrete Units.DimensionlessRatio c(start = 1, fixed = true) "Of the modal angle of the forces";
+  discrete Units.DimensionlessRatio s(start = 0, fixed = true) "Of the modal angle of the forces";
+  discrete Units.RelativeForce antinode(start = 0, fixed = true) "Force on the antinode, in phase with the velocity";
+  discrete Units.RelativeForce node(start = 0, fixed = true) "Force on the node, in phase with the velocity";
 equation
   when sample(0, samplePeriod) then
     acting = pre(force);

@@ -3,18 +3,18 @@ partial block PartialController "What all control electronics have: detection, s
   parameter Units.Time samplePeriod "Period of the output";
   parameter Units.Angle startAngle "Pattern angle at time 0";
   parameter Integer forceToRebalance(min = 0, max = 1) = 0 "0: whole-angle mode; 1: the pattern is held at the start angle";
-  parameter Units.Displacement quadratureSetpoint(min = -0.5, max = 0.5) = 0
+  parameter Units.RelativeDisplacement quadratureSetpoint(min = -0.5, max = 0.5) = 0
     "Quadrature that the loop leaves (residual), typically 1e-4 to 1e-3";
-  input Units.Displacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
-  input Units.Displacement amplitudeSetpoint "Antinode amplitude to hold";
+  input Units.RelativeDisplacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
+  input Units.RelativeDisplacement amplitudeSetpoint "Antinode amplitude to hold";
   input Units.Angle phaseOffset "Added to the detected phase";
-  input Units.Ratio driveOn "1 with amplitude, quadrature and rotation forces on, 0 off (ring-down)";
-  input Units.AngularRate virtualRotation "Commanded virtual rotation, as an input rate";
-  input Units.AngularRate rateNoise "Pattern rate by slow noise of the electronics";
-  input Units.Ratio gainNoise "Relative noise of the commanded rotation";
-  input Units.Force authority "A channel of the drives gives no more than this force; 0: no limit";
-  output Units.Rate growthRate "Force of the amplitude loop over detected amplitude";
-  output Units.Force quadratureForce "Force of the quadrature loop";
+  input Units.DimensionlessRatio driveOn "1 with amplitude, quadrature and rotation forces on, 0 off (ring-down)";
+  input Units.AngularVelocity virtualRotation "Commanded virtual rotation, as an input rate";
+  input Units.AngularVelocity rateNoise "Pattern rate by slow noise of the electronics";
+  input Units.DimensionlessRatio gainNoise "Relative noise of the commanded rotation";
+  input Units.RelativeForce authority "A channel of the drives gives no more than this force; 0: no limit";
+  output Units.DampingCoefficient growthRate "Force of the amplitude loop over detected amplitude";
+  output Units.RelativeForce quadratureForce "Force of the quadrature loop";
   output Units.AngularFrequency reference "Reference frequency less the nominal one";
   PatternDetector detector(
     samplePeriod = samplePeriod,
@@ -34,7 +34,7 @@ partial block PartialController "What all control electronics have: detection, s
     "Compensation of the detected angle";
 protected
   Units.Angle expectedAngle "Modal angle to which the detected one is nearest";
-  Units.Ratio overload "1 while a drive is at its authority";
+  Units.DimensionlessRatio overload "1 while a drive is at its authority";
   annotation (Documentation(info="<html>
 <p>The orbit is detected from the reading, the amplitude to hold follows from the start-up, and the calibrated
 bias map is integrated for the read-out, the calibrated error of the angle told to it. How forces follow from the orbit is left to who extends it.</p>

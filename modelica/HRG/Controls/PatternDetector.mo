@@ -2,17 +2,17 @@ within HRG.Controls;
 block PatternDetector "Sampled orbit of the vibration"
   parameter Units.Time samplePeriod "Control period";
   parameter Units.Angle startAngle "Pattern angle to begin with";
-  input Units.Displacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
+  input Units.RelativeDisplacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
   input Units.Angle expected "Modal angle to which the detected one is nearest, of those that differ by pi";
   discrete output Units.Angle patternAngle(start = startAngle, fixed = true) "Pattern angle, continuous";
-  discrete output Units.Ratio cosine(start = cos(2*startAngle), fixed = true) "Of the modal angle";
-  discrete output Units.Ratio sine(start = sin(2*startAngle), fixed = true) "Of the modal angle";
-  discrete output Units.Displacement amplitude(start = 1, fixed = true) "Antinode amplitude";
-  discrete output Units.Displacement quadrature(start = 0, fixed = true) "Quadrature amplitude";
+  discrete output Units.DimensionlessRatio cosine(start = cos(2*startAngle), fixed = true) "Of the modal angle";
+  discrete output Units.DimensionlessRatio sine(start = sin(2*startAngle), fixed = true) "Of the modal angle";
+  discrete output Units.RelativeDisplacement amplitude(start = 1, fixed = true) "Antinode amplitude";
+  discrete output Units.RelativeDisplacement quadrature(start = 0, fixed = true) "Quadrature amplitude";
   discrete output Units.Angle phase(start = 0, fixed = true) "Phase of the antinode against the reference";
   discrete output Units.Angle lastAngle(start = startAngle, fixed = true) "Pattern angle at the last sample";
 protected
-  discrete Units.Ratio detected[6](start = {2*startAngle, cos(2*startAngle), sin(2*startAngle), 1, 0, 0}, each fixed = true) "Result of the detection";
+  discrete Units.DimensionlessRatio detected[6](start = {2*startAngle, cos(2*startAngle), sin(2*startAngle), 1, 0, 0}, each fixed = true) "Result of the detection";
 equation
   when sample(0, samplePeriod) then
     lastAngle = pre(patternAngle);

@@ -4,11 +4,11 @@ block ProportionalIntegral "Critically damped loop of an integrating plant, samp
   parameter Units.AngularFrequency naturalFrequency(min = 0.01, max = 500) = 6 "Natural frequency of the closed loop";
   parameter Real startCommand(unit = "1/s") = 0 "Command that the integral gives at time 0";
   input Real error(unit = "1") "Set point less measurement";
-  input Units.Ratio frozen "1 while the integral is to wait";
+  input Units.DimensionlessRatio frozen "1 while the integral is to wait";
   discrete output Real command(unit = "1/s", start = startCommand, fixed = true) "Command, held until the next sample";
   discrete Real integral(unit = "s", start = startCommand/naturalFrequency^2, fixed = true) "Integral of the error";
 protected
-  final parameter Units.Rate proportionalGain = 2*naturalFrequency "Of the error";
+  final parameter Units.DampingCoefficient proportionalGain = 2*naturalFrequency "Of the error";
   final parameter Real integralGain(unit = "1/s2") = naturalFrequency^2 "Of the integral";
 equation
   when sample(0, samplePeriod) then

@@ -2,16 +2,16 @@ within HRG.Controls;
 block QuasisteadyController "Control electronics whose loops follow at once"
   extends PartialController;
   input Real freeRates[4] "Rates of the displacement without drive, {cx, sx, cy, sy}";
-  input Units.Displacement amplitude "True antinode amplitude";
-  input Units.Displacement quadrature "True quadrature";
+  input Units.RelativeDisplacement amplitude "True antinode amplitude";
+  input Units.RelativeDisplacement quadrature "True quadrature";
   input Units.Angle phase "True phase against the reference";
   input Units.Angle modalAngle "True modal angle";
-  input Units.Ratio axes[4] "True {cosine and sine of the modal angle, cosine and sine of the phase}";
-  input Units.AngularRate coupling "Bryan coupling of the modes";
-  input Units.Displacement analogue[4] "Reading before noise and conversion";
-  input Units.Ratio driveGain[4] "Drives' force over command";
+  input Units.DimensionlessRatio axes[4] "True {cosine and sine of the modal angle, cosine and sine of the phase}";
+  input Units.AngularVelocity coupling "Bryan coupling of the modes";
+  input Units.RelativeDisplacement analogue[4] "Reading before noise and conversion";
+  input Units.DimensionlessRatio driveGain[4] "Drives' force over command";
   output Real rates[4] "Derivatives of modal angle, amplitude, quadrature and phase";
-  output Units.Force force[4] "Force in action {cos x, sin x, cos y, sin y}";
+  output Units.RelativeForce force[4] "Force in action {cos x, sin x, cos y, sin y}";
   QuasisteadyLoops synthesis(
     samplePeriod = samplePeriod,
     freeRates = freeRates,
@@ -47,7 +47,7 @@ block QuasisteadyController "Control electronics whose loops follow at once"
     correction = biasMap.correction) "Angle of the case";
 protected
   Units.Angle commanded(start = startAngle, fixed = true) "Pattern angle at time 0 and all rotation counted since";
-  Units.AngularRate counted "Rotation that is counted in the force-to-rebalance mode";
+  Units.AngularVelocity counted "Rotation that is counted in the force-to-rebalance mode";
 equation
   expectedAngle = modalAngle;
   overload = 0;

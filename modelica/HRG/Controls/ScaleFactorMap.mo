@@ -7,12 +7,12 @@ block ScaleFactorMap "Error of the detected pattern angle as calibrated, to take
   parameter Units.Angle sin4(min = -0.1, max = 0.1) = 0 "Coefficient of sin 4 theta, typically 2.5e-6 to 5e-4";
   parameter Units.Angle cos8(min = -0.1, max = 0.1) = 0 "Coefficient of cos 8 theta, typically up to 1e-5";
   parameter Units.Angle sin8(min = -0.1, max = 0.1) = 0 "Coefficient of sin 8 theta, typically up to 1e-5";
-  input Units.Ratio cosine "Of the modal angle 2 theta";
-  input Units.Ratio sine "Of the modal angle 2 theta";
+  input Units.DimensionlessRatio cosine "Of the modal angle 2 theta";
+  input Units.DimensionlessRatio sine "Of the modal angle 2 theta";
   discrete output Units.Angle error(start = 0, fixed = true) "Error of the detected pattern angle";
 protected
-  discrete Units.Ratio c4(start = 1, fixed = true) "cos 4 theta";
-  discrete Units.Ratio s4(start = 0, fixed = true) "sin 4 theta";
+  discrete Units.DimensionlessRatio c4(start = 1, fixed = true) "cos 4 theta";
+  discrete Units.DimensionlessRatio s4(start = 0, fixed = true) "sin 4 theta";
 equation
   when sample(0, samplePeriod) then
     c4 = cosine*cosine - sine*sine;

@@ -1,26 +1,26 @@
 within HRG.Controls;
 block StartUp "Amplitude to aim at after power-on, and whether the output is valid"
   parameter Units.Time samplePeriod "Control period";
-  parameter Units.Ratio firstAmplitude(min = 1e-3, max = 1) = 1
+  parameter Units.DimensionlessRatio firstAmplitude(min = 1e-3, max = 1) = 1
     "Share of the set point in the first stage, which gives a rate soon; 1: no start-up";
   parameter Units.Time firstTime(min = 0, max = 100) = 1 "End of the first stage";
   parameter Units.Time fullTime(min = 0.1, max = 1000) = 10 "Full amplitude is aimed at from here on";
-  parameter Units.Ratio amplitudeTolerance(min = 0, max = 1) = 0.2 "Of valid output, relative to the aim";
+  parameter Units.DimensionlessRatio amplitudeTolerance(min = 0, max = 1) = 0.2 "Of valid output, relative to the aim";
   parameter Units.Angle phaseTolerance(min = 0, max = 1) = 0.05 "Of valid output";
-  parameter Units.Ratio quadratureTolerance(min = 0, max = 1) = 0.05 "Of valid output, relative to the aim";
+  parameter Units.DimensionlessRatio quadratureTolerance(min = 0, max = 1) = 0.05 "Of valid output, relative to the aim";
   parameter Units.Angle rebalanceTolerance(min = 0, max = 1) = 0.01 "Of valid output";
-  input Units.Displacement setpoint "Amplitude to hold in the end";
-  input Units.Displacement amplitude "Detected antinode amplitude";
+  input Units.RelativeDisplacement setpoint "Amplitude to hold in the end";
+  input Units.RelativeDisplacement amplitude "Detected antinode amplitude";
   input Units.Angle phase "Detected phase";
-  input Units.Displacement quadratureError "Detected quadrature less its set point";
+  input Units.RelativeDisplacement quadratureError "Detected quadrature less its set point";
   input Units.Angle rebalanceError "Detected pattern angle less the one to hold, in the force-to-rebalance mode";
-  input Units.Ratio overload "1 while a drive is at its authority";
-  discrete output Units.Displacement aim(start = 1, fixed = true) "Amplitude to aim at now";
-  discrete output Units.Rate aimRate(start = 0, fixed = true) "Rate of the aim between the stages";
-  discrete output Units.Ratio isFar(start = 0, fixed = true) "1 while the amplitude is above twice the aim";
-  discrete output Units.Displacement error(start = 0, fixed = true)
+  input Units.DimensionlessRatio overload "1 while a drive is at its authority";
+  discrete output Units.RelativeDisplacement aim(start = 1, fixed = true) "Amplitude to aim at now";
+  discrete output Units.DampingCoefficient aimRate(start = 0, fixed = true) "Rate of the aim between the stages";
+  discrete output Units.DimensionlessRatio isFar(start = 0, fixed = true) "1 while the amplitude is above twice the aim";
+  discrete output Units.RelativeDisplacement error(start = 0, fixed = true)
     "Aim less amplitude; bounded above twice the aim, so that the amplitude doesn't fall through zero";
-  discrete output Units.Ratio valid(start = 0, fixed = true) "1 while all loops are within tolerance and no drive is overloaded";
+  discrete output Units.DimensionlessRatio valid(start = 0, fixed = true) "1 while all loops are within tolerance and no drive is overloaded";
 protected
   discrete Units.Time clock(start = -samplePeriod, fixed = true) "Time since power-on";
 equation

@@ -1,18 +1,18 @@
 within HRG.Controls;
 function boundedMotion "Motion of the orbit under forces that the drives' authority may clip"
-  input Units.Force forces[3] "Wanted on the antinode, on the node in quadrature, on the node that rotates";
+  input Units.RelativeForce forces[3] "Wanted on the antinode, on the node in quadrature, on the node that rotates";
   input Real h[4] "Free rates on the true axes: {antinode real, imaginary, node real, imaginary}";
-  input Units.Displacement amplitude "True antinode amplitude a";
-  input Units.Displacement quadrature "True quadrature q";
-  input Units.Ratio axes[4] "True {cosine and sine of the modal angle, cosine and sine of the phase}";
-  input Units.Ratio aim[2] "Cosine and sine of the modal angle that forces are resolved with";
-  input Units.Ratio gain[4] "Drives' force over command, {x by x, x by y, y by x, y by y}";
-  input Units.Force authority "A channel clips at this force";
+  input Units.RelativeDisplacement amplitude "True antinode amplitude a";
+  input Units.RelativeDisplacement quadrature "True quadrature q";
+  input Units.DimensionlessRatio axes[4] "True {cosine and sine of the modal angle, cosine and sine of the phase}";
+  input Units.DimensionlessRatio aim[2] "Cosine and sine of the modal angle that forces are resolved with";
+  input Units.DimensionlessRatio gain[4] "Drives' force over command, {x by x, x by y, y by x, y by y}";
+  input Units.RelativeForce authority "A channel clips at this force";
   output Real result[7] "{rates of modal angle, amplitude and quadrature, of the phase and the reference together; forces given, as wanted}";
 protected
-  Units.Force bounded[4] "Command within the drives' authority {cos x, sin x, cos y, sin y}";
-  Units.Force turned[4] "On the shell";
-  Units.Force force[4] "On the shell, less the phase";
+  Units.RelativeForce bounded[4] "Command within the drives' authority {cos x, sin x, cos y, sin y}";
+  Units.RelativeForce turned[4] "On the shell";
+  Units.RelativeForce force[4] "On the shell, less the phase";
   Real total[4] "Rates on the true axes";
   Real spread "Inverse of a^2 - q^2";
 algorithm

@@ -1,7 +1,7 @@
 within HRG.Controls;
 function deviation "Detected orbit against the true one"
-  input Units.Displacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
-  input Units.Ratio axes[4] "True {cosine and sine of the modal angle, cosine and sine of the phase}";
+  input Units.RelativeDisplacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
+  input Units.DimensionlessRatio axes[4] "True {cosine and sine of the modal angle, cosine and sine of the phase}";
   output Real result[6] "{detected amplitude, quadrature, phase less the true one, cosine and sine of the detected modal angle, detected modal angle less the true one}";
 protected
   Real c[2] "In phase with the true antinode, along it and across";

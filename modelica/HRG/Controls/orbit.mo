@@ -1,6 +1,6 @@
 within HRG.Controls;
 function orbit "Orbit of the vibration, from the demodulated displacement"
-  input Units.Displacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
+  input Units.RelativeDisplacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
   input Units.Angle previous "Modal angle to which the result is the nearest, of those that differ by pi";
   output Real result[6] "{modal angle, its cosine and sine, antinode amplitude, quadrature amplitude, phase}";
 protected
@@ -19,7 +19,7 @@ protected
   Real minor "The smaller, with the sign of the sine of twice the angle";
   Real halfTurns "By which the angle is beyond the principal one";
   Real turned "1, or -1 for an odd number of half turns";
-  Units.Displacement amplitude "Antinode amplitude a";
+  Units.RelativeDisplacement amplitude "Antinode amplitude a";
   Real cosine "Of the modal angle";
   Real sine "Of the modal angle";
 algorithm

@@ -1,16 +1,16 @@
 within HRG.Controls;
 function precession "Motion of the orbit under loops that are at rest, and the forces that keep them there"
   input Real free[4] "Rates of the displacement without drive, {cx, sx, cy, sy}";
-  input Units.Displacement amplitude "True antinode amplitude a";
-  input Units.Displacement quadrature "True quadrature q";
-  input Units.Ratio axes[4] "True {cosine and sine of the modal angle, cosine and sine of the phase}";
-  input Units.Displacement detected "Detected amplitude, which forces are scaled with";
-  input Units.Ratio aim[2] "Cosine and sine of the modal angle that forces are resolved with";
-  input Units.Ratio gain[4] "Drives' force over command, {x by x, x by y, y by x, y by y}";
-  input Units.Force authority "A channel clips at this force; 0: never";
-  input Units.Ratio driveOn "1 with the drive on, 0 off";
+  input Units.RelativeDisplacement amplitude "True antinode amplitude a";
+  input Units.RelativeDisplacement quadrature "True quadrature q";
+  input Units.DimensionlessRatio axes[4] "True {cosine and sine of the modal angle, cosine and sine of the phase}";
+  input Units.RelativeDisplacement detected "Detected amplitude, which forces are scaled with";
+  input Units.DimensionlessRatio aim[2] "Cosine and sine of the modal angle that forces are resolved with";
+  input Units.DimensionlessRatio gain[4] "Drives' force over command, {x by x, x by y, y by x, y by y}";
+  input Units.RelativeForce authority "A channel clips at this force; 0: never";
+  input Units.DimensionlessRatio driveOn "1 with the drive on, 0 off";
   input Real wanted[4] "Rates that loops ask for: of modal angle, amplitude, quadrature and phase";
-  input Units.AngularRate patternRate "Commanded rotation of the pattern, in the whole-angle mode";
+  input Units.AngularVelocity patternRate "Commanded rotation of the pattern, in the whole-angle mode";
   input Real rebalance "1: the rate of the modal angle is what loops ask for; 0: the pattern is free";
   output Real result[9] "{rates of modal angle, amplitude, quadrature and phase; forces given on the antinode, on the node in quadrature, on the node; reference; force on the node that the authority took away}";
 protected

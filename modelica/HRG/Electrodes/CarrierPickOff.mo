@@ -3,24 +3,24 @@ block CarrierPickOff "Displacement at its carrier, converted and demodulated"
   extends PartialPickOff;
   parameter Units.Time samplePeriod "Control period";
   parameter Units.Time converterPeriod "Sample period of the converters";
-  parameter Units.Displacement converterResolution(min = 0, max = 1) = 0 "Least significant bit of a converter, typically 2e-5 to 1e-3: 18 to 12 bits over a range of 2 (estimate); 0: none";
-  parameter Units.Displacement converterRange(min = 0, max = 1e6) = 0 "A converter clips at this value, typically 1.2 to 2, the headroom over the nominal amplitude (estimate); 0: never";
+  parameter Units.RelativeDisplacement converterResolution(min = 0, max = 1) = 0 "Least significant bit of a converter, typically 2e-5 to 1e-3: 18 to 12 bits over a range of 2 (estimate); 0: none";
+  parameter Units.RelativeDisplacement converterRange(min = 0, max = 1e6) = 0 "A converter clips at this value, typically 1.2 to 2, the headroom over the nominal amplitude (estimate); 0: never";
   parameter Units.Angle startAngle "Pattern angle at time 0";
-  parameter Units.Displacement startAmplitude "Antinode amplitude at time 0";
-  input Units.Displacement position[2] "Displacement {x, y}";
-  input Units.Ratio carrier[2] "Cosine and sine of the reference oscillator's phase";
-  input Units.Force force[4] "Force in action";
+  parameter Units.RelativeDisplacement startAmplitude "Antinode amplitude at time 0";
+  input Units.RelativeDisplacement position[2] "Displacement {x, y}";
+  input Units.DimensionlessRatio carrier[2] "Cosine and sine of the reference oscillator's phase";
+  input Units.RelativeForce force[4] "Force in action";
 protected
-  final parameter Units.Ratio window = samplePeriod/converterPeriod "Samples of a control period";
-  discrete Units.Displacement y(start = 0, fixed = true) "y with the share of x";
-  discrete Units.Displacement signal[2](each start = 0, each fixed = true) "At the converters";
-  Units.Displacement received[4] "Demodulated with the phase errors {cx, sx, cy, sy}";
-  discrete Units.Force lastForce[4](each start = 0, each fixed = true) "Force at the last sample";
-  discrete Units.Displacement converted[2](each start = 0, each fixed = true) "Output of the converters";
+  final parameter Units.DimensionlessRatio window = samplePeriod/converterPeriod "Samples of a control period";
+  discrete Units.RelativeDisplacement y(start = 0, fixed = true) "y with the share of x";
+  discrete Units.RelativeDisplacement signal[2](each start = 0, each fixed = true) "At the converters";
+  Units.RelativeDisplacement received[4] "Demodulated with the phase errors {cx, sx, cy, sy}";
+  discrete Units.RelativeForce lastForce[4](each start = 0, each fixed = true) "Force at the last sample";
+  discrete Units.RelativeDisplacement converted[2](each start = 0, each fixed = true) "Output of the converters";
   discrete Real count(start = window - 1, fixed = true) "Samples in the window";
   discrete Real sums[17](each start = 0, each fixed = true) "Over the window, of products with the carrier (accumulated)";
   Real gathered[17] "Sums, as the control electronics read them";
-  discrete Units.Displacement demodulated[4](
+  discrete Units.RelativeDisplacement demodulated[4](
     start = {startAmplitude*cos(2*startAngle), 0, startAmplitude*sin(2*startAngle), 0},
     each fixed = true) "{cx, sx, cy, sy}";
 equation

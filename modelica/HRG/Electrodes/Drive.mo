@@ -1,9 +1,9 @@
 within HRG.Electrodes;
 block Drive "Force as the shell feels it"
   extends DriveErrors;
-  input Units.Force command[4] "Commanded force {cos x, sin x, cos y, sin y}";
-  input Units.Force noise[4] "Force noise, thermomechanical noise included";
-  output Units.Force force[4] "Force on the shell {cos x, sin x, cos y, sin y}";
+  input Units.RelativeForce command[4] "Commanded force {cos x, sin x, cos y, sin y}";
+  input Units.RelativeForce noise[4] "Force noise, thermomechanical noise included";
+  output Units.RelativeForce force[4] "Force on the shell {cos x, sin x, cos y, sin y}";
 equation
   force = {
     gain[1]*command[1] + gain[2]*command[3] + noise[1],

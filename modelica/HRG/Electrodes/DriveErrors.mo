@@ -6,16 +6,16 @@ block DriveErrors "Errors of the drives"
     "Change of e with specific force, typically 1e-7 to 2e-6: a bias of 1e-3 to 2e-2 deg/h/g, -1/(2 k tau) times it at tau = 450 s";
   parameter Real rotationPerTemperatureRate(unit = "rad.s/K", min = -1e3, max = 1e3) = 0
     "Change of e with the rate of the case's temperature (gradients), typically 7e-4 to 1.5e-2: a bias of 1e-3 to 2e-2 deg/h/K times the 10 K that a lag of 600 s leaves at 1 K/min";
-  parameter Units.Ratio nonOrthogonality(min = -0.5, max = 0.5) = 0 "nd: y drives fy + nd fx, typically 1e-4 to 2e-3 raw";
-  parameter Units.Ratio gainMismatch(min = -0.5, max = 0.5) = 0
+  parameter Units.DimensionlessRatio nonOrthogonality(min = -0.5, max = 0.5) = 0 "nd: y drives fy + nd fx, typically 1e-4 to 2e-3 raw";
+  parameter Units.DimensionlessRatio gainMismatch(min = -0.5, max = 0.5) = 0
     "gd: x drives (1 + gd/2) fx, y drives (1 - gd/2) fy; typically 1e-3 to 1e-2 raw, 1e-5 to 1e-4 calibrated";
-  parameter Units.Force authority(min = 0, max = 1e6) = 0 "A channel clips at this force, typically 0.01 to 0.2: a virtual rotation of 1 to 20 deg/s takes as much; 0: never";
+  parameter Units.RelativeForce authority(min = 0, max = 1e6) = 0 "A channel clips at this force, typically 0.01 to 0.2: a virtual rotation of 1 to 20 deg/s takes as much; 0: never";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
   input Real temperatureRate(unit = "K/s") "Rate of the case's temperature";
-  output Units.Ratio gain[4] "Force over command, {x by x, x by y, y by x, y by y}";
+  output Units.DimensionlessRatio gain[4] "Force over command, {x by x, x by y, y by x, y by y}";
 protected
   Units.Angle rotation "e under specific force and gradients";
-  Units.Ratio turn[2] "Cosine and sine of e";
+  Units.DimensionlessRatio turn[2] "Cosine and sine of e";
 equation
   rotation = frameRotation + rotationPerTemperatureRate*temperatureRate
     + rotationPerAcceleration[1]*acceleration[1] + rotationPerAcceleration[2]*acceleration[2]

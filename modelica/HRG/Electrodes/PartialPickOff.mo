@@ -1,38 +1,38 @@
 within HRG.Electrodes;
 partial block PartialPickOff "Errors of pick-offs, demodulation and converters"
-  parameter Units.Ratio gainMismatch(min = -0.5, max = 0.5) = 0
+  parameter Units.DimensionlessRatio gainMismatch(min = -0.5, max = 0.5) = 0
     "g: x reads (1 + g/2) x, y reads (1 - g/2) y; typically 1e-3 to 1e-2 raw, 1e-5 to 1e-4 calibrated";
-  parameter Units.PerKelvin gainPerKelvin(min = -0.01, max = 0.01) = 0 "Change of g with temperature, typically 1e-6 to 1e-5";
+  parameter Units.LinearTemperatureCoefficient gainPerKelvin(min = -0.01, max = 0.01) = 0 "Change of g with temperature, typically 1e-6 to 1e-5";
   parameter Units.PerAcceleration gainPerAcceleration[3](each min = -0.01, each max = 0.01) = {0, 0, 0}
     "Change of g with specific force (gap change), typically up to 1e-5";
   parameter Real gainPerAccelerationSquared[3](each unit = "s4/m2", each min = -0.01, each max = 0.01) = {0, 0, 0}
     "Change of g with the square of specific force, typically 2e-8 to 5e-7: 1e-3 to 2e-2 deg/h at 1 g and a decay time of 450 s";
-  parameter Units.Ratio nonOrthogonality(min = -0.5, max = 0.5) = 0 "d: y reads y + d x, typically 1e-4 to 2e-3 raw";
+  parameter Units.DimensionlessRatio nonOrthogonality(min = -0.5, max = 0.5) = 0 "d: y reads y + d x, typically 1e-4 to 2e-3 raw";
   parameter Real cubic(unit = "1", min = -0.1, max = 0.1) = 0
     "b: x reads x (1 + 3/4 b |x|^2), typically 1e-5 to 1e-3";
   parameter Units.Angle phaseError(min = -1, max = 1) = 0
     "p: phase that the demodulation adds to both channels, typically 1e-4 to 1e-2";
   parameter Real phasePerKelvin(unit = "rad/K", min = -0.01, max = 0.01) = 0 "Change of p with temperature, typically 1e-5 to 1e-4";
   parameter Units.Angle differentialPhase(min = -1, max = 1) = 0 "x turned by +p/2, y by -p/2, typically 1e-4 to 1e-3";
-  parameter Units.Displacement offset(min = -0.1, max = 0.1) = 0 "Added to the in-phase x channel (ADC, demodulator), typically 1e-4";
-  parameter Units.Displacement offsetY(min = -0.1, max = 0.1) = 0 "Added to the in-phase y channel (ADC, demodulator), typically 1e-4";
+  parameter Units.RelativeDisplacement offset(min = -0.1, max = 0.1) = 0 "Added to the in-phase x channel (ADC, demodulator), typically 1e-4";
+  parameter Units.RelativeDisplacement offsetY(min = -0.1, max = 0.1) = 0 "Added to the in-phase y channel (ADC, demodulator), typically 1e-4";
   parameter Units.Time feedthrough(min = -0.01, max = 0.01) = 0 "Reads this time the force as well, typically 1e-6 to 1e-4";
-  parameter Units.Displacement resolution(min = 0, max = 0.1) = 0 "Least significant bit of a channel, typically 2e-7 to 6e-5: 24 to 16 bits over a full scale of 2 (estimate); 0: none";
-  parameter Units.Displacement fullScale(min = 0, max = 1e6) = 0 "A channel clips at this value, typically 1.2 to 2, the headroom over the nominal amplitude (estimate); 0: never";
+  parameter Units.RelativeDisplacement resolution(min = 0, max = 0.1) = 0 "Least significant bit of a channel, typically 2e-7 to 6e-5: 24 to 16 bits over a full scale of 2 (estimate); 0: none";
+  parameter Units.RelativeDisplacement fullScale(min = 0, max = 1e6) = 0 "A channel clips at this value, typically 1.2 to 2, the headroom over the nominal amplitude (estimate); 0: never";
   input Units.TemperatureDifference temperature "Above the reference";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
-  input Units.Displacement noise[4] "Noise of the demodulated channels";
-  output Units.Displacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
+  input Units.RelativeDisplacement noise[4] "Noise of the demodulated channels";
+  output Units.RelativeDisplacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
 protected
-  final parameter Units.Ratio axes[4] = {
+  final parameter Units.DimensionlessRatio axes[4] = {
     cos(phaseError + differentialPhase/2),
     sin(phaseError + differentialPhase/2),
     cos(phaseError - differentialPhase/2),
     sin(phaseError - differentialPhase/2)} "Cosine and sine of the phase of x, and of y, at the reference temperature";
-  Units.Ratio mismatch "g under temperature and specific force";
-  Units.Ratio gain[2] "Of x and y, for small vibrations";
-  Units.Ratio turn[2] "Cosine and sine of the phase by temperature";
-  Units.Ratio phasor[4] "Cosine and sine of the phase of x, and of y";
+  Units.DimensionlessRatio mismatch "g under temperature and specific force";
+  Units.DimensionlessRatio gain[2] "Of x and y, for small vibrations";
+  Units.DimensionlessRatio turn[2] "Cosine and sine of the phase by temperature";
+  Units.DimensionlessRatio phasor[4] "Cosine and sine of the phase of x, and of y";
 equation
   mismatch = gainMismatch + gainPerKelvin*temperature
     + gainPerAcceleration[1]*acceleration[1] + gainPerAcceleration[2]*acceleration[2]

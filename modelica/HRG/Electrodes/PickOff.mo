@@ -1,12 +1,12 @@
 within HRG.Electrodes;
 block PickOff "Displacement as the electronics see it"
   extends PartialPickOff;
-  input Units.Displacement displacement[4] "True displacement {cx, sx, cy, sy}";
-  input Units.Force force[4] "Force in action at the moment of sampling";
-  output Units.Displacement analogue[4] "Reading before noise and conversion";
+  input Units.RelativeDisplacement displacement[4] "True displacement {cx, sx, cy, sy}";
+  input Units.RelativeForce force[4] "Force in action at the moment of sampling";
+  output Units.RelativeDisplacement analogue[4] "Reading before noise and conversion";
 protected
-  Units.Displacement y[2] "y with the share of x";
-  Units.Ratio swing[2] "Gain of x and y at the present amplitude";
+  Units.RelativeDisplacement y[2] "y with the share of x";
+  Units.DimensionlessRatio swing[2] "Gain of x and y at the present amplitude";
 equation
   y = {displacement[3] + nonOrthogonality*displacement[1], displacement[4] + nonOrthogonality*displacement[2]};
   swing = {

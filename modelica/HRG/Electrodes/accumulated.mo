@@ -2,10 +2,10 @@ within HRG.Electrodes;
 function accumulated "Sums of the least-squares demodulation, one sample on"
   input Real sums[17] "{x c, x s, y c, y s, c c, c s, s s}, the same times t, and {c c, c s, s s} times t^2";
   input Real keep "0 where a new window begins, 1 within it";
-  input Units.Ratio place "Time t of this sample, in windows; 0 at the end";
+  input Units.DimensionlessRatio place "Time t of this sample, in windows; 0 at the end";
   input Real weight "Of this sample";
-  input Units.Displacement converted[2] "Sample {x, y}";
-  input Units.Ratio carrier[2] "Cosine and sine of the reference oscillator's phase";
+  input Units.RelativeDisplacement converted[2] "Sample {x, y}";
+  input Units.DimensionlessRatio carrier[2] "Cosine and sine of the reference oscillator's phase";
   output Real result[17] "Sums with this sample";
 protected
   Real products[7] "{x c, x s, y c, y s, c c, c s, s s}";

@@ -1,8 +1,8 @@
 within HRG.Electrodes;
 function fitted "Least-squares amplitudes at the end of a window; the previous ones where its samples don't determine them"
   input Real sums[17] "{x c, x s, y c, y s, c c, c s, s s} over the window, the same times t, and {c c, c s, s s} times t^2";
-  input Units.Displacement previous[4] "{cx, sx, cy, sy} of the last window";
-  output Units.Displacement result[4] "{cx, sx, cy, sy}";
+  input Units.RelativeDisplacement previous[4] "{cx, sx, cy, sy} of the last window";
+  output Units.RelativeDisplacement result[4] "{cx, sx, cy, sy}";
 protected
   Real spread "Determinant of the sums times t^2";
   Real scale "Its inverse; 0 where a window has no slopes to show";

@@ -1,6 +1,6 @@
 within HRG.Examples;
 model RingDown "The drive is off: amplitude decays, and damping anisotropy turns the pattern"
-  output Units.Displacement amplitude "Antinode amplitude";
+  output Units.RelativeDisplacement amplitude "Antinode amplitude";
   output Units.Angle patternAngle "Pattern angle";
   BaseClasses.GyroAtRest gyro(
     driveOn = 0,

@@ -1,6 +1,6 @@
 within HRG.Examples;
 model Turntable "A typical gyro on a table that turns once in a minute: what it measures, and its error"
-  parameter Units.AngularRate rate = Constants.pi/30 "Rate of the table";
+  parameter Units.AngularVelocity rate = Constants.pi/30 "Rate of the table";
   output Units.Angle tableAngle(start = 0, fixed = true) "Angle of the table";
   output Units.Angle gyroAngle "Angle that the gyro measures";
   output Units.Angle error "Its error";

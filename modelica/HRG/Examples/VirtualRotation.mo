@@ -1,6 +1,6 @@
 within HRG.Examples;
 model VirtualRotation "A gyro at rest whose pattern is turned: its bias goes round with the pattern and averages out"
-  parameter Units.AngularRate rotation = 0.1 "Commanded virtual rotation, as an input rate";
+  parameter Units.AngularVelocity rotation = 0.1 "Commanded virtual rotation, as an input rate";
   output Units.Angle patternAngle "Pattern angle";
   output Units.Angle gyroAngle "Angle measured with the pattern turning";
   output Units.Angle restingAngle "Angle measured with the pattern at rest";

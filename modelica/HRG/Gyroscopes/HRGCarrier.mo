@@ -59,8 +59,8 @@ equation
   valid = controller.startUp.valid;
   annotation (Documentation(info="<html>
 <p>The coupled oscillators x and y of <code>Resonators.Oscillator</code>, before averaging (D. D. Lynch), and the electronics of
-<code>HRG</code> after converters and demodulation.</p>
-<p>For short checks of what the envelope leaves out: the same electronics, parameters and noise as <code>HRG</code>. While the case turns at W
+<code>HRGEnvelope</code> after converters and demodulation.</p>
+<p>For short checks of what the envelope leaves out: the same electronics, parameters and noise as <code>HRGEnvelope</code>. While the case turns at W
 the next order of the average is seen, with c = 2 k W: a quadrature force -c/(w tau), a fourth harmonic of the amplitude force, (dw/2) c/w,
 and a mean modal frequency c^2/2w higher; at 100 deg/s 5e-8 rad/s, 3e-8 1/s and 1e-5 rad/s. The output is the same.</p>
 </html>"));

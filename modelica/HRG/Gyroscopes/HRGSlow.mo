@@ -66,11 +66,11 @@ q' = -Im h_n
 phi' + nu = (a Im h_a - q Re h_n)/(a^2 - q^2)</pre>
 <p>with a force N on the node and without errors of the electrodes and Duffing stiffness (D. D. Lynch; Eq. (1) of Xu et al. 2024, with its axes, factors and signs mended)</p>
 <pre>theta' = -k Omega + (D/4) sin 4(theta - theta_tau) (a^2 + q^2)/(a^2 - q^2) + (dw/2) cos 4(theta - theta_w) a q/(a^2 - q^2) + a N/(2 (a^2 - q^2))</pre>
-<p>The same parts, parameters and closed forms as <code>HRG</code>, but forces follow from the condition that the loops are
+<p>The same parts, parameters and closed forms as <code>HRGEnvelope</code>, but forces follow from the condition that the loops are
 at rest, so that only the pattern moves, and a step may last a second. The state is the orbit, in which rotation is a
 straight line. Noise of pick-offs is that of one control period, read once per output. Outputs change once in a sample period:
 communication steps are best whole multiples of it, and results then don't depend on them.</p>
-<p>The loops of <code>HRG</code> follow a turning pattern with a lag that is not in here. It matters where the split is large:
+<p>The loops of <code>HRGEnvelope</code> follow a turning pattern with a lag that is not in here. It matters where the split is large:
 while the case turns at W the output loses dw^2 W/(2 w^2) of rate, w the natural frequency of the quadrature loop, 1e-7 of W at 0.5 mHz.</p>
 </html>"));
 end HRGSlow;

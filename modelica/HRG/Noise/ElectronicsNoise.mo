@@ -2,7 +2,7 @@ within HRG.Noise;
 block ElectronicsNoise "White noise of the force and pick-off channels, slow noise of the rate, noise of the virtual rotation"
   parameter Units.Time samplePeriod "Period of the noise";
   parameter Units.Time pickOffPeriod = samplePeriod "Period over which pick-off noise is averaged";
-  parameter Units.Ratio bryanFactor "Converts input rates into pattern rates";
+  parameter Units.DimensionlessRatio bryanFactor "Converts input rates into pattern rates";
   parameter Integer seed(min = 0, max = 2147483647) "Seed of the generators";
   parameter Units.AngleRandomWalk angleRandomWalk(max = 1e-2) = 0
     "White force noise, as the angle random walk coefficient N that it causes at nominal amplitude, in rad/sqrt(s), typically 3e-9 to 3e-7: 1e-5 to 1e-3 deg/sqrt(h)";
@@ -10,30 +10,30 @@ block ElectronicsNoise "White noise of the force and pick-off channels, slow noi
     "White noise of each demodulated channel, relative to the nominal amplitude, in 1/sqrt(Hz), typically 3e-9 to 3e-8: 0.01 to 0.1 arcsec of pattern angle in 1 ms";
   parameter Units.RateRandomWalk rateRandomWalk(max = 1) = 0
     "Rate random walk coefficient K, in rad/s/sqrt(s), typically 4e-11 to 4e-10: 5e-4 to 5e-3 deg/h in an hour";
-  parameter Units.AngularRate biasInstability(min = 0, max = 1) = 0
+  parameter Units.AngularVelocity biasInstability(min = 0, max = 1) = 0
     "Flicker coefficient B, in rad/s, typically 2e-9 to 2e-8: 5e-4 to 5e-3 deg/h, the bias stability at a fixed pattern angle";
   parameter Units.NoiseDensity virtualRotation(max = 1) = 0
     "White relative noise of a commanded rotation, in 1/sqrt(Hz), typically 3e-6 to 2e-5: at 10 deg/s an angle random walk of 2e-3 to 1e-2 deg/sqrt(h)";
-  output Units.Force force[4] "Force noise {cos x, sin x, cos y, sin y}";
-  output Units.Displacement displacement[4] "Pick-off noise {cx, sx, cy, sy}";
-  output Units.AngularRate patternRate "Slow noise, as a pattern rate";
-  output Units.Ratio rotation "Relative noise of the commanded rotation";
+  output Units.RelativeForce force[4] "Force noise {cos x, sin x, cos y, sin y}";
+  output Units.RelativeDisplacement displacement[4] "Pick-off noise {cx, sx, cy, sy}";
+  output Units.AngularVelocity patternRate "Slow noise, as a pattern rate";
+  output Units.DimensionlessRatio rotation "Relative noise of the commanded rotation";
 protected
-  final parameter Units.Ratio start[84] = seededState(seed) "Memory at time 0";
-  final parameter Units.Force forceDeviation = 2*bryanFactor*sqrt(angleRandomWalk^2/samplePeriod)
+  final parameter Units.DimensionlessRatio start[84] = seededState(seed) "Memory at time 0";
+  final parameter Units.RelativeForce forceDeviation = 2*bryanFactor*sqrt(angleRandomWalk^2/samplePeriod)
     "Standard deviation of a force channel";
-  final parameter Units.Displacement pickOffDeviation = sqrt(pickOff^2/pickOffPeriod) "Standard deviation of a pick-off channel";
-  final parameter Units.AngularRate walkDeviation = bryanFactor*sqrt(rateRandomWalk^2*samplePeriod)
+  final parameter Units.RelativeDisplacement pickOffDeviation = sqrt(pickOff^2/pickOffPeriod) "Standard deviation of a pick-off channel";
+  final parameter Units.AngularVelocity walkDeviation = bryanFactor*sqrt(rateRandomWalk^2*samplePeriod)
     "Standard deviation of a step of the rate random walk";
-  final parameter Units.AngularRate flickerScale = bryanFactor*biasInstability*2.0794415416798357/Constants.pi
+  final parameter Units.AngularVelocity flickerScale = bryanFactor*biasInstability*2.0794415416798357/Constants.pi
     "Of the sum of lags, ln 8/pi";
-  final parameter Units.Ratio rotationDeviation = sqrt(virtualRotation^2/samplePeriod) "Standard deviation of the rotation's noise";
-  final parameter Units.Ratio isMade = if angleRandomWalk > 0 or pickOff > 0 or rateRandomWalk > 0 or biasInstability > 0 or virtualRotation > 0 then 1 else 0
+  final parameter Units.DimensionlessRatio rotationDeviation = sqrt(virtualRotation^2/samplePeriod) "Standard deviation of the rotation's noise";
+  final parameter Units.DimensionlessRatio isMade = if angleRandomWalk > 0 or pickOff > 0 or rateRandomWalk > 0 or biasInstability > 0 or virtualRotation > 0 then 1 else 0
     "1 where there is any noise: else nothing is drawn for it";
-  final parameter Units.Ratio decays[16] = lagDecays(samplePeriod) "Of the lags over a period, and weights of their input";
-  discrete Units.Ratio memory[84](start = start, each fixed = true) "States of the generators, and the last deviates";
-  discrete Units.Ratio lags[8](each start = 0, each fixed = true) "Flicker noise";
-  discrete Units.AngularRate walk(start = 0, fixed = true) "Rate random walk";
+  final parameter Units.DimensionlessRatio decays[16] = lagDecays(samplePeriod) "Of the lags over a period, and weights of their input";
+  discrete Units.DimensionlessRatio memory[84](start = start, each fixed = true) "States of the generators, and the last deviates";
+  discrete Units.DimensionlessRatio lags[8](each start = 0, each fixed = true) "Flicker noise";
+  discrete Units.AngularVelocity walk(start = 0, fixed = true) "Rate random walk";
 equation
   when sample(0, samplePeriod) then
     memory = if isMade > 0.5 then deviates(pre(memory)) else pre(memory);

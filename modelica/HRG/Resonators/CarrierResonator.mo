@@ -2,7 +2,7 @@ within HRG.Resonators;
 model CarrierResonator "Vibrating shell at its carrier frequency"
   extends PartialResonator;
   input Units.AngularFrequency reference "Frequency of the reference oscillator above the nominal one";
-  input Units.Force force[4] "Drive forces {cos x, sin x, cos y, sin y}";
+  input Units.RelativeForce force[4] "Drive forces {cos x, sin x, cos y, sin y}";
   Oscillator oscillator(
     frequency = material.frequency,
     startAngle = startAngle,

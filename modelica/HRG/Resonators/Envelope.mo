@@ -1,18 +1,18 @@
 within HRG.Resonators;
 model Envelope "Slowly varying envelope of the two n = 2 modes"
-  parameter Units.Displacement startAmplitude(min = 1e-6, max = 10) = 1 "Antinode amplitude at time 0";
+  parameter Units.RelativeDisplacement startAmplitude(min = 1e-6, max = 10) = 1 "Antinode amplitude at time 0";
   parameter Units.Angle startAngle = 0 "Pattern angle at time 0";
-  input Units.Rate dampingX "Damping of x";
-  input Units.Rate dampingY "Damping of y";
-  input Units.Rate dampingSin "Damping between x and y";
+  input Units.DampingCoefficient dampingX "Damping of x";
+  input Units.DampingCoefficient dampingY "Damping of y";
+  input Units.DampingCoefficient dampingSin "Damping between x and y";
   input Units.AngularFrequency shift "Mean frequency above the nominal one";
   input Units.AngularFrequency splitCos "Stiffness anisotropy, diagonal";
   input Units.AngularFrequency splitSin "Stiffness anisotropy, off diagonal";
-  input Units.AngularRate coupling "Bryan coupling of the modes, n k Omega with n = 2";
+  input Units.AngularVelocity coupling "Bryan coupling of the modes, n k Omega with n = 2";
   input Units.AngularFrequency duffing "Frequency shift at unit amplitude by cubic stiffness";
   input Units.AngularFrequency reference "Frequency of the rotating frame above the nominal one";
-  input Units.Force force[4] "Forces on the envelope, {cos x, sin x, cos y, sin y}";
-  output Units.Displacement displacement[4](
+  input Units.RelativeForce force[4] "Forces on the envelope, {cos x, sin x, cos y, sin y}";
+  output Units.RelativeDisplacement displacement[4](
     start = {startAmplitude*cos(2*startAngle), 0, startAmplitude*sin(2*startAngle), 0},
     each fixed = true) "In-phase and quadrature displacement {cx, sx, cy, sy}";
 equation

@@ -13,9 +13,9 @@ block Environment "Temperature of the resonator, rate of the case's temperature,
   discrete output Real temperatureRate(unit = "K/s", start = 0, fixed = true) "Rate of the case's temperature";
   discrete output Units.Time age(start = 0, fixed = true) "Time since power-on";
 protected
-  final parameter Units.Ratio approach = 1 - exp(-samplePeriod/thermalLag) "Share of the difference that a period takes away";
+  final parameter Units.DimensionlessRatio approach = 1 - exp(-samplePeriod/thermalLag) "Share of the difference that a period takes away";
   discrete Units.TemperatureDifference case(start = 0, fixed = true) "Case above the reference temperature";
-  discrete Units.Ratio started(start = 0, fixed = true) "1 from the first sample on";
+  discrete Units.DimensionlessRatio started(start = 0, fixed = true) "1 from the first sample on";
 equation
   when sample(0, samplePeriod) then
     case = caseTemperature - referenceTemperature;

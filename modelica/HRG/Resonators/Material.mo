@@ -1,18 +1,18 @@
 within HRG.Resonators;
 block Material "Damping, stiffness and coupling of the shell under its environment"
   parameter Units.Time decayTime(min = 1, max = 1e5) = 450 "Mean amplitude decay time tau, typically 200 to 2000 s";
-  parameter Units.PerKelvin decayTimePerKelvin(min = -0.1, max = 0.1) = 0 "Of the decay time, typically -0.002 to -0.01";
+  parameter Units.LinearTemperatureCoefficient decayTimePerKelvin(min = -0.1, max = 0.1) = 0 "Of the decay time, typically -0.002 to -0.01";
   parameter Real decayTimeAgeing(unit = "1/s", min = -1e-4, max = 1e-4) = 0
     "Relative loss of decay time per time (outgassing, vacuum loss), typically 1 to 5 % a year";
-  parameter Units.Rate dampingAnisotropy(min = 0, max = 1e-2) = 0
+  parameter Units.DampingCoefficient dampingAnisotropy(min = 0, max = 1e-2) = 0
     "D = 1/tau1 - 1/tau2 between the axes of maximum and minimum damping, typically 0.1 to 2 % of 1/tau";
   parameter Units.Angle dampingAxis(min = -1000, max = 1000) = 0 "Pattern angle of maximum damping";
-  parameter Units.PerKelvin dampingAnisotropyPerKelvin(min = -1, max = 1) = 0 "Of the damping anisotropy, typically up to 0.01";
-  parameter Units.Rate mountingDamping(min = 0, max = 1e-2) = 0
+  parameter Units.LinearTemperatureCoefficient dampingAnisotropyPerKelvin(min = -1, max = 1) = 0 "Of the damping anisotropy, typically up to 0.01";
+  parameter Units.DampingCoefficient mountingDamping(min = 0, max = 1e-2) = 0
     "Damping anisotropy that the mounting adds (anchor loss), changes with remounting and shock, typically up to the shell's own, 0.1 to 2 % of 1/tau";
   parameter Units.Angle mountingAxis(min = -1000, max = 1000) = 0 "Its pattern angle of maximum damping";
   parameter Units.AngularFrequency frequency(min = 1e3, max = 1e6) = 43982.297150257104 "Nominal modal frequency, 4 to 9 kHz";
-  parameter Units.PerKelvin frequencyPerKelvin(min = -1e-3, max = 1e-3) = 0 "Of the modal frequency, typically 80e-6 to 95e-6";
+  parameter Units.LinearTemperatureCoefficient frequencyPerKelvin(min = -1e-3, max = 1e-3) = 0 "Of the modal frequency, typically 80e-6 to 95e-6";
   parameter Units.AngularFrequency frequencySplit(min = 0, max = 100) = 0
     "Difference of the modes' circular frequencies, typically 0.06 to 3 raw (10 to 500 mHz), below 6e-3 trimmed (1 mHz)";
   parameter Units.Angle stiffnessAxis(min = -1000, max = 1000) = 0 "Pattern angle of the mode of lower frequency";
@@ -25,33 +25,33 @@ block Material "Damping, stiffness and coupling of the shell under its environme
   parameter Units.AngularFrequency electrostaticSplit(min = 0, max = 100) = 0
     "Frequency split that the nominal bias voltage makes (trim), balanced by the mechanical one, typically 0.06 to 3: the raw split of 10 to 500 mHz";
   parameter Units.Angle electrostaticAxis(min = -1000, max = 1000) = 0 "Pattern angle of its lower frequency";
-  parameter Units.Ratio bryanFactor(min = 0.01, max = 1) = 0.277 "Precession of the pattern over rotation of the case";
-  parameter Units.PerKelvin bryanFactorPerKelvin(min = -1e-3, max = 1e-3) = 0 "Of the Bryan factor, typically below 1e-6";
+  parameter Units.DimensionlessRatio bryanFactor(min = 0.01, max = 1) = 0.277 "Precession of the pattern over rotation of the case";
+  parameter Units.LinearTemperatureCoefficient bryanFactorPerKelvin(min = -1e-3, max = 1e-3) = 0 "Of the Bryan factor, typically below 1e-6";
   input Units.TemperatureDifference temperature "Above the reference";
   input Units.Time age "Time since power-on";
-  input Units.Ratio biasVoltage "Over the nominal one";
+  input Units.DimensionlessRatio biasVoltage "Over the nominal one";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
-  input Units.AngularRate angularRate "Inertial rate about the input axis";
-  output Units.Rate dampingX "Damping of x";
-  output Units.Rate dampingY "Damping of y";
-  output Units.Rate dampingSin "Damping between x and y";
+  input Units.AngularVelocity angularRate "Inertial rate about the input axis";
+  output Units.DampingCoefficient dampingX "Damping of x";
+  output Units.DampingCoefficient dampingY "Damping of y";
+  output Units.DampingCoefficient dampingSin "Damping between x and y";
   output Units.AngularFrequency shift "Mean frequency above the nominal one";
   output Units.AngularFrequency splitCos "Stiffness anisotropy, diagonal";
   output Units.AngularFrequency splitSin "Stiffness anisotropy, off diagonal";
-  output Units.AngularRate coupling "Bryan coupling of the modes, n k Omega with n = 2";
+  output Units.AngularVelocity coupling "Bryan coupling of the modes, n k Omega with n = 2";
 protected
-  final parameter Units.Rate ownCos = dampingAnisotropy/2*cos(4*dampingAxis) "Of the shell, diagonal";
-  final parameter Units.Rate ownSin = dampingAnisotropy/2*sin(4*dampingAxis) "Of the shell, off diagonal";
-  final parameter Units.Rate mountingCos = mountingDamping/2*cos(4*mountingAxis) "Of the mounting, diagonal";
-  final parameter Units.Rate mountingSin = mountingDamping/2*sin(4*mountingAxis) "Of the mounting, off diagonal";
+  final parameter Units.DampingCoefficient ownCos = dampingAnisotropy/2*cos(4*dampingAxis) "Of the shell, diagonal";
+  final parameter Units.DampingCoefficient ownSin = dampingAnisotropy/2*sin(4*dampingAxis) "Of the shell, off diagonal";
+  final parameter Units.DampingCoefficient mountingCos = mountingDamping/2*cos(4*mountingAxis) "Of the mounting, diagonal";
+  final parameter Units.DampingCoefficient mountingSin = mountingDamping/2*sin(4*mountingAxis) "Of the mounting, off diagonal";
   final parameter Units.AngularFrequency ownSplitCos = frequencySplit/2*cos(4*stiffnessAxis) "Of the shell, diagonal";
   final parameter Units.AngularFrequency ownSplitSin = frequencySplit/2*sin(4*stiffnessAxis) "Of the shell, off diagonal";
   final parameter Units.AngularFrequency trimCos = electrostaticSplit/2*cos(4*electrostaticAxis) "Of the trim, diagonal";
   final parameter Units.AngularFrequency trimSin = electrostaticSplit/2*sin(4*electrostaticAxis) "Of the trim, off diagonal";
-  Units.Rate damping "Mean damping";
-  Units.Rate dampingCos "Anisotropic damping, diagonal";
-  Units.Ratio warmth "Factor of the damping anisotropy";
-  Units.Ratio voltageChange "Change of the squared bias voltage";
+  Units.DampingCoefficient damping "Mean damping";
+  Units.DampingCoefficient dampingCos "Anisotropic damping, diagonal";
+  Units.DimensionlessRatio warmth "Factor of the damping anisotropy";
+  Units.DimensionlessRatio voltageChange "Change of the squared bias voltage";
 equation
   damping = exp(decayTimeAgeing*age)/(decayTime*stretched(decayTimePerKelvin*temperature));
   warmth = 1 + dampingAnisotropyPerKelvin*temperature;

@@ -1,14 +1,14 @@
 within HRG.Resonators;
 model Orbit "Motion of the two n = 2 modes in the elements of their orbit"
-  parameter Units.Displacement startAmplitude(min = 1e-6, max = 10) = 1 "Antinode amplitude at time 0";
+  parameter Units.RelativeDisplacement startAmplitude(min = 1e-6, max = 10) = 1 "Antinode amplitude at time 0";
   parameter Units.Angle startAngle = 0 "Pattern angle at time 0";
   input Real rates[4] "Derivatives of modal angle, amplitude, quadrature and phase";
   output Units.Angle modalAngle(start = 2*startAngle, fixed = true) "Twice the pattern angle";
-  output Units.Displacement amplitude(start = startAmplitude, fixed = true) "Antinode amplitude a";
-  output Units.Displacement quadrature(start = 0, fixed = true) "Quadrature amplitude q";
+  output Units.RelativeDisplacement amplitude(start = startAmplitude, fixed = true) "Antinode amplitude a";
+  output Units.RelativeDisplacement quadrature(start = 0, fixed = true) "Quadrature amplitude q";
   output Units.Angle phase(start = 0, fixed = true) "Phase of the antinode against the reference";
-  output Units.Ratio axes[4] "{cosine and sine of the modal angle, cosine and sine of the phase}";
-  output Units.Displacement displacement[4] "{cx, sx, cy, sy}";
+  output Units.DimensionlessRatio axes[4] "{cosine and sine of the modal angle, cosine and sine of the phase}";
+  output Units.RelativeDisplacement displacement[4] "{cx, sx, cy, sy}";
 equation
   der(modalAngle) = rates[1];
   der(amplitude) = rates[2];

@@ -1,22 +1,22 @@
 within HRG.Resonators;
 model Oscillator "The two n = 2 modes at their carrier frequency"
   parameter Units.AngularFrequency frequency "Nominal modal frequency";
-  parameter Units.Displacement startAmplitude(min = 1e-6, max = 10) = 1 "Antinode amplitude at time 0";
+  parameter Units.RelativeDisplacement startAmplitude(min = 1e-6, max = 10) = 1 "Antinode amplitude at time 0";
   parameter Units.Angle startAngle = 0 "Pattern angle at time 0";
-  input Units.Rate dampingX "Damping of x";
-  input Units.Rate dampingY "Damping of y";
-  input Units.Rate dampingSin "Damping between x and y";
+  input Units.DampingCoefficient dampingX "Damping of x";
+  input Units.DampingCoefficient dampingY "Damping of y";
+  input Units.DampingCoefficient dampingSin "Damping between x and y";
   input Units.AngularFrequency shift "Mean frequency above the nominal one";
   input Units.AngularFrequency splitCos "Stiffness anisotropy, diagonal";
   input Units.AngularFrequency splitSin "Stiffness anisotropy, off diagonal";
-  input Units.AngularRate coupling "Bryan coupling of the modes, n k Omega with n = 2";
+  input Units.AngularVelocity coupling "Bryan coupling of the modes, n k Omega with n = 2";
   input Units.AngularFrequency duffing "Frequency shift at unit amplitude by cubic stiffness";
   input Units.AngularFrequency reference "Frequency of the reference oscillator above the nominal one";
-  input Units.Force force[4] "Modulation of the drive, {cos x, sin x, cos y, sin y}, as a growth of the envelope";
-  output Units.Displacement position[2](
+  input Units.RelativeForce force[4] "Modulation of the drive, {cos x, sin x, cos y, sin y}, as a growth of the envelope";
+  output Units.RelativeDisplacement position[2](
     start = {startAmplitude*cos(2*startAngle), startAmplitude*sin(2*startAngle)},
     each fixed = true) "Displacement {x, y}";
-  output Units.Ratio carrier[2](start = {1, 0}, each fixed = true) "Cosine and sine of the reference oscillator's phase";
+  output Units.DimensionlessRatio carrier[2](start = {1, 0}, each fixed = true) "Cosine and sine of the reference oscillator's phase";
 protected
   Real momentum[2](each unit = "1/s", each start = 0, each fixed = true) "Velocity as an observer at rest sees it";
   Real velocity[2](each unit = "1/s") "Velocity in the turning case";

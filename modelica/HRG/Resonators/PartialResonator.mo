@@ -2,14 +2,14 @@ within HRG.Resonators;
 partial model PartialResonator "Vibrating shell: environment and material; the motion is left to who extends it"
   parameter Units.Time thermalPeriod "Sample period of the environment";
   parameter Units.Angle startAngle = 0 "Pattern angle at time 0";
-  parameter Units.Displacement startAmplitude(min = 1e-6, max = 10) = 1 "Antinode amplitude at time 0";
+  parameter Units.RelativeDisplacement startAmplitude(min = 1e-6, max = 10) = 1 "Antinode amplitude at time 0";
   parameter Real imbalanceX(unit = "s/m", min = -1e3, max = 1e3) = 0
     "Force on x over in-phase vibration of the case at the modal frequency (mass imbalance), typically 1e-4 to 1e-2: a share of 1e-5 to 1e-3 of the acceleration, at an amplitude of 1 um (estimate)";
   parameter Real imbalanceY(unit = "s/m", min = -1e3, max = 1e3) = 0 "Force on y, likewise, typically 1e-4 to 1e-2";
-  input Units.AngularRate angularRate "Inertial rate about the input axis";
+  input Units.AngularVelocity angularRate "Inertial rate about the input axis";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
   input Units.Temperature caseTemperature "Temperature of the case";
-  input Units.Ratio biasVoltage "Electrode bias voltage over the nominal one";
+  input Units.DimensionlessRatio biasVoltage "Electrode bias voltage over the nominal one";
   input Units.Acceleration vibration "Case vibration at the modal frequency, in phase with the reference";
   Environment environment(samplePeriod = thermalPeriod, caseTemperature = caseTemperature) "Temperature and age";
   Material material(
@@ -19,7 +19,7 @@ partial model PartialResonator "Vibrating shell: environment and material; the m
     acceleration = acceleration,
     angularRate = angularRate) "Coefficients of the motion";
 protected
-  Units.Force shake[4] = {imbalanceX*vibration, 0, imbalanceY*vibration, 0} "Force by vibration of the case";
+  Units.RelativeForce shake[4] = {imbalanceX*vibration, 0, imbalanceY*vibration, 0} "Force by vibration of the case";
   annotation (Documentation(info="<html>
 <p>Vibration of the case at the modal frequency acts as a force {imbalanceX, 0, imbalanceY, 0} times its acceleration,
 mechanism 27: B = (f/2k) sin 2 theta for a force f on x.</p>

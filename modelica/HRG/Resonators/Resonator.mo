@@ -2,8 +2,8 @@ within HRG.Resonators;
 model Resonator "Vibrating shell, its motion as a slowly varying envelope"
   extends PartialResonator;
   input Units.AngularFrequency reference "Frequency of the rotating frame above the nominal one";
-  input Units.Force force[4] "Drive forces {cos x, sin x, cos y, sin y}";
-  output Units.Displacement displacement[4] "In-phase and quadrature displacement {cx, sx, cy, sy}";
+  input Units.RelativeForce force[4] "Drive forces {cos x, sin x, cos y, sin y}";
+  output Units.RelativeDisplacement displacement[4] "In-phase and quadrature displacement {cx, sx, cy, sy}";
   Envelope envelope(
     startAngle = startAngle,
     startAmplitude = startAmplitude,

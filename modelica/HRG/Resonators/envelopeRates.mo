@@ -1,13 +1,13 @@
 within HRG.Resonators;
 function envelopeRates "Rates of the free envelope in a frame that rotates with the reference"
-  input Units.Displacement displacement[4] "{cx, sx, cy, sy}";
-  input Units.Rate dampingX "Damping of x";
-  input Units.Rate dampingY "Damping of y";
-  input Units.Rate dampingSin "Damping between x and y";
+  input Units.RelativeDisplacement displacement[4] "{cx, sx, cy, sy}";
+  input Units.DampingCoefficient dampingX "Damping of x";
+  input Units.DampingCoefficient dampingY "Damping of y";
+  input Units.DampingCoefficient dampingSin "Damping between x and y";
   input Units.AngularFrequency detuning "Of the frame above the mean modal frequency";
   input Units.AngularFrequency splitCos "Stiffness anisotropy, diagonal";
   input Units.AngularFrequency splitSin "Stiffness anisotropy, off diagonal";
-  input Units.AngularRate coupling "Bryan coupling of the modes, n k Omega with n = 2";
+  input Units.AngularVelocity coupling "Bryan coupling of the modes, n k Omega with n = 2";
   input Units.AngularFrequency duffing "Frequency shift at unit amplitude by cubic stiffness";
   output Real rates[4] "Derivatives of the displacement";
 protected

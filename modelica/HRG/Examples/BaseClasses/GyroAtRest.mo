@@ -1,6 +1,6 @@
 within HRG.Examples.BaseClasses;
 model GyroAtRest "A gyro at rest on a bench; a modifier of an input puts something else in its place"
-  extends Gyroscopes.HRG(
+  extends Gyroscopes.HRGEnvelope(
     angularRate = 0,
     virtualRotation = 0,
     accelerationX = 0,
@@ -12,4 +12,7 @@ model GyroAtRest "A gyro at rest on a bench; a modifier of an input puts somethi
     amplitudeSetpoint = 1,
     phaseOffset = 0,
     driveOn = 1);
+  annotation (Documentation(info="<html>
+<p>Inputs of a gyro are bound to those of a bench at rest: no rate, no specific force, 25 degC, nominal voltage, drive on.</p>
+</html>"));
 end GyroAtRest;

@@ -4,13 +4,13 @@ block AllanDeviation "Allan deviation of the rate of an angle, at one averaging 
   parameter Units.Time average(min = 1e-3, max = 1e4) = 0.1 "Averaging time, a multiple of the sample period";
   parameter Units.Time begin(min = 0, max = 1e6) = 5 "The record before is left out: settling";
   input Units.Angle angle "Angle";
-  discrete output Units.AngularRate deviation(start = 0, fixed = true) "Allan deviation";
+  discrete output Units.AngularVelocity deviation(start = 0, fixed = true) "Allan deviation";
 protected
   discrete Units.Time age(start = -begin - samplePeriod, fixed = true) "Time in the present mean; negative while settling";
-  discrete Units.Ratio closes(start = 0, fixed = true) "1 where a mean ends";
-  discrete Units.Ratio means(start = 0, fixed = true) "Ends so far; the first begins the record, the second ends a mean";
+  discrete Units.DimensionlessRatio closes(start = 0, fixed = true) "1 where a mean ends";
+  discrete Units.DimensionlessRatio means(start = 0, fixed = true) "Ends so far; the first begins the record, the second ends a mean";
   discrete Units.Angle last(start = 0, fixed = true) "Angle at the last end";
-  discrete Units.AngularRate mean(start = 0, fixed = true) "Last mean";
+  discrete Units.AngularVelocity mean(start = 0, fixed = true) "Last mean";
   discrete Real sum(unit = "rad2/s2", start = 0, fixed = true) "Of squared differences of successive means";
 equation
   when sample(0, samplePeriod) then

@@ -1,12 +1,12 @@
 within HRG.Validation.BaseClasses;
 partial model Claim "A gyro, and one measured quantity beside its closed form"
-  replaceable model Gyro = Gyroscopes.HRG "Kind of gyro under test";
+  replaceable model Gyro = Gyroscopes.HRGEnvelope "Kind of gyro under test";
   replaceable type Quantity = Real "What is measured";
   parameter Units.Angle startAngle(min = -1000, max = 1000) = 0.1 "Pattern angle at power-on";
   parameter Integer present(min = 0, max = 1) = 1 "1: with the mechanism; 0: without it, the negative control";
   parameter Units.Time controlPeriod = 1e-3 "Ts, for which the electronics hold their forces";
-  parameter Units.Ratio tolerance(min = 0, max = 1) = 2e-3 "Of the difference at the stop time, relative to the scale";
-  final parameter Units.Ratio k = gyro.resonator.material.bryanFactor "Bryan factor";
+  parameter Units.DimensionlessRatio tolerance(min = 0, max = 1) = 2e-3 "Of the difference at the stop time, relative to the scale";
+  final parameter Units.DimensionlessRatio k = gyro.resonator.material.bryanFactor "Bryan factor";
   final parameter Units.Time tau = gyro.resonator.material.decayTime "Decay time";
   output Quantity measured "Measured; zero without the mechanism";
   output Quantity expected "Closed form";
@@ -25,7 +25,7 @@ partial model Claim "A gyro, and one measured quantity beside its closed form"
     phaseOffset = 0,
     driveOn = 1) "Gyro under test";
 protected
-  final parameter Units.Ratio holdError = -controlPeriod/2/tau
+  final parameter Units.DimensionlessRatio holdError = -controlPeriod/2/tau
     "Scale-factor error of held forces: a claim of its own, Electronics.HoldLag";
   Units.Angle theta = gyro.patternAngle "Pattern angle";
   annotation (Documentation(info="<html>

@@ -2,7 +2,7 @@ within HRG.Validation.Damping;
 model AnisotropyBias "Damping anisotropy D: a bias of -(D/4k) sin 4(theta - theta_tau)"
   extends BaseClasses.BiasAtRest(
     gyro(resonator(material(dampingAnisotropy = present*anisotropy, dampingAxis = axis))));
-  parameter Units.Rate anisotropy = 1e-6 "D, of damping";
+  parameter Units.DampingCoefficient anisotropy = 1e-6 "D, of damping";
   parameter Units.Angle axis = 0.35 "Of maximum damping";
 equation
   measured = bias.rate;

@@ -2,7 +2,7 @@ within HRG.Validation.Damping;
 model AnisotropyGrowth "Damping anisotropy D: an amplitude force of (D/2) cos 4(theta - theta_tau)"
   extends BaseClasses.GrowthAtRest(
     gyro(resonator(material(dampingAnisotropy = present*anisotropy, dampingAxis = axis))));
-  parameter Units.Rate anisotropy = 1e-6 "D, of damping";
+  parameter Units.DampingCoefficient anisotropy = 1e-6 "D, of damping";
   parameter Units.Angle axis = 0.35 "Of maximum damping";
 equation
   expected = anisotropy/2*cos(4*(theta - axis));

@@ -8,9 +8,9 @@ model MountingBias "Damping of the mounting adds to that of the shell as a vecto
           dampingAxis = axis,
           mountingDamping = present*mounting,
           mountingAxis = mountingAxis))));
-  parameter Units.Rate anisotropy = 1e-6 "D, of damping";
+  parameter Units.DampingCoefficient anisotropy = 1e-6 "D, of damping";
   parameter Units.Angle axis = 0.35 "Of maximum damping";
-  parameter Units.Rate mounting = 2e-6 "Damping anisotropy of the mounting";
+  parameter Units.DampingCoefficient mounting = 2e-6 "Damping anisotropy of the mounting";
   parameter Units.Angle mountingAxis = 0.9 "Its axis of maximum damping";
 equation
   measured = bias.rate + anisotropy/(4*k)*sin(4*(theta - axis));

@@ -1,6 +1,6 @@
 within HRG.Validation.Damping;
 model RingDownAmplitude "Ring-down: the logarithm of the amplitude falls by t/tau"
-  extends BaseClasses.Claim(redeclare type Quantity = Units.Ratio, gyro(driveOn = 1 - present));
+  extends BaseClasses.Claim(redeclare type Quantity = Units.DimensionlessRatio, gyro(driveOn = 1 - present));
 protected
   Units.Time clock(start = 0, fixed = true) "Time";
 equation

@@ -3,12 +3,12 @@ model RingDownPattern "Ring-down: tan 2(theta - theta_tau) grows as exp(D t)"
   extends BaseClasses.Claim(
     redeclare type Quantity = Units.Angle,
     gyro(resonator(material(dampingAnisotropy = present*anisotropy, dampingAxis = axis)), driveOn = 0));
-  parameter Units.Rate anisotropy = 5e-3 "D, of damping";
+  parameter Units.DampingCoefficient anisotropy = 5e-3 "D, of damping";
   parameter Units.Angle axis = 0.35 "Of maximum damping";
 protected
   final parameter Units.Angle start = 2*(startAngle - axis) "Modal angle from the damping axis at power-on";
   Units.Time clock(start = 0, fixed = true) "Time";
-  Units.Ratio growth "Of the tangent";
+  Units.DimensionlessRatio growth "Of the tangent";
 equation
   der(clock) = 1;
   growth = exp(anisotropy*clock);

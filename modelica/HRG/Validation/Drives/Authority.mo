@@ -1,12 +1,12 @@
 within HRG.Validation.Drives;
 model Authority "A drive that clips at f: beyond its range the rebalanced pattern slips at k W - (f/2)(|cos 2 theta| + |sin 2 theta|)"
   extends BaseClasses.Claim(
-    redeclare final model Gyro = Gyroscopes.HRG,
-    redeclare type Quantity = Units.AngularRate,
+    redeclare final model Gyro = Gyroscopes.HRGEnvelope,
+    redeclare type Quantity = Units.AngularVelocity,
     tolerance = 0.01,
     gyro(angularRate = rate, controller(forceToRebalance = 1), drive(authority = present*authority)));
-  parameter Units.Force authority = 0.02 "f, of a channel";
-  parameter Units.AngularRate rate = 0.2 "W";
+  parameter Units.RelativeForce authority = 0.02 "f, of a channel";
+  parameter Units.AngularVelocity rate = 0.2 "W";
   BaseClasses.MeanRate slip(samplePeriod = gyro.samplePeriod, angle = gyro.patternAngle, begin = 1) "Rate of the pattern";
 equation
   measured = slip.rate;

@@ -1,7 +1,7 @@
 within HRG.Validation.Drives;
 model GainMismatchBias "Drive gain mismatch: a bias of (g/4k tau) sin 4 theta"
   extends BaseClasses.BiasAtRest(gyro(drive(gainMismatch = present*mismatch)));
-  parameter Units.Ratio mismatch = 1e-3 "g";
+  parameter Units.DimensionlessRatio mismatch = 1e-3 "g";
 equation
   measured = bias.rate;
   expected = mismatch/(4*k*tau)*sin(4*theta);

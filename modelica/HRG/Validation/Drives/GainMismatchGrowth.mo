@@ -1,7 +1,7 @@
 within HRG.Validation.Drives;
 model GainMismatchGrowth "Drive gain mismatch: an amplitude force of -(g/2 tau) cos 4 theta"
   extends BaseClasses.GrowthAtRest(gyro(drive(gainMismatch = present*mismatch)));
-  parameter Units.Ratio mismatch = 1e-3 "g";
+  parameter Units.DimensionlessRatio mismatch = 1e-3 "g";
 equation
   expected = -mismatch/(2*tau)*cos(4*theta);
   scale = mismatch/(2*tau);

@@ -1,7 +1,7 @@
 within HRG.Validation.Drives;
 model NonOrthogonalityGrowth "Drive non-orthogonality: an amplitude force of -(d/2 tau) sin 4 theta"
   extends BaseClasses.GrowthAtRest(gyro(drive(nonOrthogonality = present*skew)));
-  parameter Units.Ratio skew = 1e-3 "d";
+  parameter Units.DimensionlessRatio skew = 1e-3 "d";
 equation
   expected = -skew/(2*tau)*sin(4*theta);
   scale = skew/(2*tau);

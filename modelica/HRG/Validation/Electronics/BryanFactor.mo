@@ -1,7 +1,7 @@
 within HRG.Validation.Electronics;
 model BryanFactor "A Bryan factor off by e: a scale-factor error of e"
   extends BaseClasses.Turning(gyro(resonator(material(bryanFactor = 0.277*(1 + present*relativeError)))));
-  parameter Units.Ratio relativeError = 20e-6 "e, true over believed, less one";
+  parameter Units.DimensionlessRatio relativeError = 20e-6 "e, true over believed, less one";
 equation
   measured = angleError;
   expected = relativeError*caseAngle;

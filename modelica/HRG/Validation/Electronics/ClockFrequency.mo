@@ -3,7 +3,7 @@ model ClockFrequency "A clock fast by e: the modal frequency w is counted low by
   extends BaseClasses.Claim(
     redeclare type Quantity = Units.AngularFrequency,
     gyro(controller(readout(clockError = present*excess))));
-  parameter Units.Ratio excess = 1e-4 "e, of the clock";
+  parameter Units.DimensionlessRatio excess = 1e-4 "e, of the clock";
 equation
   measured = gyro.frequencyOffset;
   expected = -excess*gyro.resonator.material.frequency;

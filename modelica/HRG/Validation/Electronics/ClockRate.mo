@@ -1,10 +1,10 @@
 within HRG.Validation.Electronics;
 model ClockRate "A clock fast by e: the rate is off by -e"
   extends BaseClasses.Claim(
-    redeclare type Quantity = Units.AngularRate,
+    redeclare type Quantity = Units.AngularVelocity,
     gyro(angularRate = rate, controller(readout(clockError = present*excess))));
-  parameter Units.AngularRate rate = 1 "Of the table";
-  parameter Units.Ratio excess = 1e-4 "e, of the clock";
+  parameter Units.AngularVelocity rate = 1 "Of the table";
+  parameter Units.DimensionlessRatio excess = 1e-4 "e, of the clock";
 equation
   measured = gyro.gyroRate - rate*(1 + holdError);
   expected = -excess*rate;

@@ -1,7 +1,7 @@
 within HRG.Validation.Electronics;
 model HoldLag "Forces held over a period Ts: a scale-factor error of -(Ts/2)/tau, absent in ring-down"
   extends BaseClasses.Claim(redeclare type Quantity = Units.Angle, gyro(angularRate = rate, driveOn = present));
-  parameter Units.AngularRate rate = 1 "Of the table";
+  parameter Units.AngularVelocity rate = 1 "Of the table";
 protected
   Units.Angle caseAngle(start = 0, fixed = true) "Angle of the table";
 equation

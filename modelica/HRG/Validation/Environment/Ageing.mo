@@ -1,7 +1,7 @@
 within HRG.Validation.Environment;
 model Ageing "Ageing shortens the decay time: more force for the same amplitude"
   extends BaseClasses.GrowthAtRest(gyro(resonator(material(decayTimeAgeing = present*loss))));
-  parameter Units.Rate loss = 1e-4 "Relative, per time: years in minutes";
+  parameter Units.DampingCoefficient loss = 1e-4 "Relative, per time: years in minutes";
 protected
   Units.Time clock(start = 0, fixed = true) "Time";
 equation

@@ -4,7 +4,7 @@ model BiasVoltageFrequency "The bias voltage softens: the frequency moves with -
     redeclare type Quantity = Units.AngularFrequency,
     gyro(biasVoltage = voltage, resonator(material(electrostaticShift = present*shift))));
   parameter Units.AngularFrequency shift = 2*Constants.pi*0.1 "At the nominal voltage";
-  parameter Units.Ratio voltage = 1.01 "V, over the nominal one";
+  parameter Units.DimensionlessRatio voltage = 1.01 "V, over the nominal one";
 equation
   measured = gyro.frequencyOffset;
   expected = -shift*(voltage^2 - 1);

@@ -1,13 +1,13 @@
 within HRG.Validation.Environment;
 model BiasVoltageSplit "The bias voltage splits: the quadrature force moves with V^2 - 1"
   extends BaseClasses.Claim(
-    redeclare type Quantity = Units.Force,
+    redeclare type Quantity = Units.RelativeForce,
     gyro(
       biasVoltage = voltage,
       resonator(material(electrostaticSplit = present*split, electrostaticAxis = axis))));
   parameter Units.AngularFrequency split = 2*Constants.pi*1e-2 "Trim at the nominal voltage";
   parameter Units.Angle axis = 0.5 "Of the mode of lower frequency";
-  parameter Units.Ratio voltage = 1.01 "V, over the nominal one";
+  parameter Units.DimensionlessRatio voltage = 1.01 "V, over the nominal one";
 equation
   measured = gyro.quadratureForce;
   expected = split*(voltage^2 - 1)/2*sin(4*(theta - axis));

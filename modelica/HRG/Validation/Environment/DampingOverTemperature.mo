@@ -10,10 +10,10 @@ model DampingOverTemperature "Damping anisotropy follows the temperature"
           dampingAnisotropy = anisotropy,
           dampingAxis = axis,
           dampingAnisotropyPerKelvin = present*coefficient))));
-  parameter Units.Rate anisotropy = 1e-6 "D, of damping";
+  parameter Units.DampingCoefficient anisotropy = 1e-6 "D, of damping";
   parameter Units.Angle axis = 0.35 "Of maximum damping";
   parameter Units.TemperatureDifference warming = 10 "Above the reference";
-  parameter Units.PerKelvin coefficient = 0.1 "Relative change per kelvin";
+  parameter Units.LinearTemperatureCoefficient coefficient = 0.1 "Relative change per kelvin";
 equation
   measured = bias.rate + anisotropy/(4*k)*sin(4*(theta - axis));
   expected = -coefficient*warming*anisotropy/(4*k)*sin(4*(theta - axis));

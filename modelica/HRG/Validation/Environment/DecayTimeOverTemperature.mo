@@ -5,7 +5,7 @@ model DecayTimeOverTemperature "The decay time follows the temperature: more for
       caseTemperature = 298.15 + warming,
       resonator(environment(thermalLag = 1), material(decayTimePerKelvin = present*coefficient))));
   parameter Units.TemperatureDifference warming = 10 "Above the reference";
-  parameter Units.PerKelvin coefficient = -0.003 "Relative change per kelvin";
+  parameter Units.LinearTemperatureCoefficient coefficient = -0.003 "Relative change per kelvin";
 equation
   expected = (1/(1 + coefficient*warming) - 1)/tau;
   scale = abs(coefficient*warming)/tau;

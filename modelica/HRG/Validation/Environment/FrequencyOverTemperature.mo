@@ -6,7 +6,7 @@ model FrequencyOverTemperature "The modal frequency follows the temperature: a t
       caseTemperature = 298.15 + warming,
       resonator(environment(thermalLag = 1), material(frequencyPerKelvin = present*coefficient))));
   parameter Units.TemperatureDifference warming = 10 "Above the reference";
-  parameter Units.PerKelvin coefficient = 85e-6 "Relative change per kelvin";
+  parameter Units.LinearTemperatureCoefficient coefficient = 85e-6 "Relative change per kelvin";
 equation
   measured = gyro.frequencyOffset;
   expected = gyro.resonator.material.frequency*coefficient*warming;

@@ -7,7 +7,7 @@ model GainOverTemperature "Pick-off gain mismatch follows the temperature"
       resonator(environment(thermalLag = 1)),
       pickOff(gainPerKelvin = present*coefficient)));
   parameter Units.TemperatureDifference warming = 10 "Above the reference";
-  parameter Units.PerKelvin coefficient = 1e-4 "Relative change per kelvin";
+  parameter Units.LinearTemperatureCoefficient coefficient = 1e-4 "Relative change per kelvin";
 equation
   measured = bias.rate;
   expected = coefficient*warming/(4*k*tau)*sin(4*theta);

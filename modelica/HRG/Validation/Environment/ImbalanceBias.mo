@@ -8,7 +8,7 @@ model ImbalanceBias "Vibration at the modal frequency on an imbalance: a bias of
       resonator(imbalanceX = present*imbalance)));
   parameter Units.Acceleration vibration = 1 "Of the case, in phase";
   parameter Real imbalance(unit = "s/m") = 1e-6 "Force on x over vibration";
-  parameter Units.Displacement amplitude = 0.5 "a";
+  parameter Units.RelativeDisplacement amplitude = 0.5 "a";
 equation
   measured = bias.rate;
   expected = imbalance*vibration/(2*k*amplitude)*sin(2*theta);

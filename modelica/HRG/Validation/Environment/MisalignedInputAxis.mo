@@ -3,8 +3,8 @@ model MisalignedInputAxis "An input axis tilted by delta on a turning table: Ear
   extends BaseClasses.Claim(
     redeclare type Quantity = Units.Angle,
     gyro(angularRate = rate + present*horizontal*sin(tilt)*sin(table)));
-  parameter Units.AngularRate rate = 0.5 "Of the table";
-  parameter Units.AngularRate horizontal = 5.6e-5 "Earth's rate in the table's plane";
+  parameter Units.AngularVelocity rate = 0.5 "Of the table";
+  parameter Units.AngularVelocity horizontal = 5.6e-5 "Earth's rate in the table's plane";
   parameter Units.Angle tilt = 0.1 "delta, of the input axis";
 protected
   Units.Angle table(start = 0, fixed = true) "Angle of the table";

@@ -6,7 +6,7 @@ model ThermalLag "The resonator follows a step of the case's temperature with it
       caseTemperature = 298.15 + warming,
       resonator(environment(thermalLag = lag), material(frequencyPerKelvin = present*coefficient))));
   parameter Units.TemperatureDifference warming = 10 "Above the reference";
-  parameter Units.PerKelvin coefficient = 85e-6 "Relative change per kelvin";
+  parameter Units.LinearTemperatureCoefficient coefficient = 85e-6 "Relative change per kelvin";
   parameter Units.Time lag = 30 "Of the resonator";
 protected
   Units.Time clock(start = 0, fixed = true) "Time";

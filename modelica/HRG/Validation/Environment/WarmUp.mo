@@ -7,7 +7,7 @@ model WarmUp "After a cold soak the resonator warms up, by the case and by itsel
       material(frequencyPerKelvin = present*coefficient))));
   parameter Units.TemperatureDifference soak = -10 "Resonator at power-on, above the reference";
   parameter Units.TemperatureDifference heating = 2 "Rise by the electronics";
-  parameter Units.PerKelvin coefficient = 85e-6 "Relative change per kelvin";
+  parameter Units.LinearTemperatureCoefficient coefficient = 85e-6 "Relative change per kelvin";
   parameter Units.Time lag = 60 "Of the resonator";
 protected
   Units.Time clock(start = 0, fixed = true) "Time";

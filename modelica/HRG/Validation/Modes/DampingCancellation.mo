@@ -4,7 +4,7 @@ model DampingCancellation "Cancellation of damping anisotropy by force takes its
     gyro(
       resonator(material(dampingAnisotropy = anisotropy, dampingAxis = axis)),
       controller(cancellation(dampingAnisotropy = present*anisotropy, dampingAxis = axis))));
-  parameter Units.Rate anisotropy = 1e-6 "D, of damping";
+  parameter Units.DampingCoefficient anisotropy = 1e-6 "D, of damping";
   parameter Units.Angle axis = 0.35 "Of maximum damping";
 equation
   measured = bias.rate + anisotropy/(4*k)*sin(4*(theta - axis));

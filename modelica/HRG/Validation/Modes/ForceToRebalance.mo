@@ -4,7 +4,7 @@ model ForceToRebalance "Force-to-rebalance: the commanded rotation is the angle 
     redeclare type Quantity = Units.Angle,
     tolerance = 1e-6,
     gyro(angularRate = rate, controller(forceToRebalance = present)));
-  parameter Units.AngularRate rate = 0.02 "Of the case";
+  parameter Units.AngularVelocity rate = 0.02 "Of the case";
 protected
   Units.Angle caseAngle(start = 0, fixed = true) "Angle of the case";
 equation

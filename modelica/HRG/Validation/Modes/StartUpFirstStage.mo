@@ -1,12 +1,12 @@
 within HRG.Validation.Modes;
 model StartUpFirstStage "Start-up: within 1 s the output is valid, at a small vibration"
   extends BaseClasses.Claim(
-    redeclare type Quantity = Units.Displacement,
+    redeclare type Quantity = Units.RelativeDisplacement,
     tolerance = 0.01,
     gyro(
       startAmplitude = if present > 0 then 0.01 else 1,
       controller(startUp(firstAmplitude = if present > 0 then share else 1))));
-  parameter Units.Ratio share = 0.05 "Of the full amplitude, in the first stage";
+  parameter Units.DimensionlessRatio share = 0.05 "Of the full amplitude, in the first stage";
 equation
   measured = gyro.valid*(1 - gyro.amplitude);
   expected = 1 - share;

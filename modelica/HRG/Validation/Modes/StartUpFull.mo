@@ -1,13 +1,13 @@
 within HRG.Validation.Modes;
 model StartUpFull "Start-up: the full amplitude is there at 10 s"
   extends BaseClasses.Claim(
-    redeclare type Quantity = Units.Displacement,
+    redeclare type Quantity = Units.RelativeDisplacement,
     tolerance = 0.01,
     gyro(
       startAmplitude = share,
       amplitudeSetpoint = if present > 0 then 1 else share,
       controller(startUp(firstAmplitude = if present > 0 then share else 1))));
-  parameter Units.Ratio share = 0.05 "Of the full amplitude, in the first stage";
+  parameter Units.DimensionlessRatio share = 0.05 "Of the full amplitude, in the first stage";
 equation
   measured = gyro.amplitude - share;
   expected = 1 - share;

@@ -1,12 +1,12 @@
 within HRG.Validation.Modes;
 model StartUpRamp "Start-up: between the stages the amplitude grows on a straight line"
   extends BaseClasses.Claim(
-    redeclare type Quantity = Units.Displacement,
+    redeclare type Quantity = Units.RelativeDisplacement,
     tolerance = 2e-3 + 2*gyro.samplePeriod*(1 - share)/(fullTime - firstTime),
     gyro(
       startAmplitude = if present > 0 then share else 1,
       controller(startUp(firstAmplitude = if present > 0 then share else 1))));
-  parameter Units.Ratio share = 0.05 "Of the full amplitude, in the first stage";
+  parameter Units.DimensionlessRatio share = 0.05 "Of the full amplitude, in the first stage";
 protected
   final parameter Units.Time firstTime = gyro.controller.startUp.firstTime "t_1";
   final parameter Units.Time fullTime = gyro.controller.startUp.fullTime "t_2";

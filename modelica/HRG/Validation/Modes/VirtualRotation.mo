@@ -1,7 +1,7 @@
 within HRG.Validation.Modes;
 model VirtualRotation "Virtual rotation V turns the pattern at k V"
   extends BaseClasses.Claim(redeclare type Quantity = Units.Angle, gyro(virtualRotation = present*rate));
-  parameter Units.AngularRate rate = 0.02 "V, as an input rate";
+  parameter Units.AngularVelocity rate = 0.02 "V, as an input rate";
 protected
   Units.Angle turned(start = 0, fixed = true) "Integral of V";
 equation

@@ -4,8 +4,8 @@ model VirtualRotationError "Virtual rotation V with a gain error e: a bias of -e
     tolerance = 0.005,
     redeclare type Quantity = Units.Angle,
     gyro(virtualRotation = rate, controller(readout(virtualRotationError = present*gainError))));
-  parameter Units.AngularRate rate = 0.02 "V, as an input rate";
-  parameter Units.Ratio gainError = 1e-3 "e, true over commanded rotation, less one";
+  parameter Units.AngularVelocity rate = 0.02 "V, as an input rate";
+  parameter Units.DimensionlessRatio gainError = 1e-3 "e, true over commanded rotation, less one";
 protected
   Units.Angle turned(start = 0, fixed = true) "Integral of V";
 equation

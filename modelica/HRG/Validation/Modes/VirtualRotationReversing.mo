@@ -4,8 +4,8 @@ model VirtualRotationReversing "Virtual rotation that reverses: the bias of its 
     tolerance = 0.005,
     redeclare type Quantity = Units.Angle,
     gyro(virtualRotation = command.rate, controller(readout(virtualRotationError = present*gainError))));
-  parameter Units.AngularRate rate = 0.02 "V, as an input rate";
-  parameter Units.Ratio gainError = 1e-3 "e, true over commanded rotation, less one";
+  parameter Units.AngularVelocity rate = 0.02 "V, as an input rate";
+  parameter Units.DimensionlessRatio gainError = 1e-3 "e, true over commanded rotation, less one";
   BaseClasses.Command command(samplePeriod = gyro.samplePeriod, size = rate, reversal = reversal) "Reversing rotation";
   parameter Units.Time reversal = 8 "Between changes of direction";
 protected

@@ -6,8 +6,8 @@ model VirtualRotationSwept "Virtual rotation swept as a sine: the gain error lea
     gyro(
       virtualRotation = rate*sin(sweep*clock),
       controller(readout(virtualRotationError = present*gainError))));
-  parameter Units.AngularRate rate = 0.02 "V, as an input rate";
-  parameter Units.Ratio gainError = 1e-3 "e, true over commanded rotation, less one";
+  parameter Units.AngularVelocity rate = 0.02 "V, as an input rate";
+  parameter Units.DimensionlessRatio gainError = 1e-3 "e, true over commanded rotation, less one";
   parameter Units.AngularFrequency sweep = 0.5 "w, of the sweep";
 protected
   Units.Time clock(start = 0, fixed = true) "Time";

@@ -3,8 +3,8 @@ model CubicAngle "Cubic nonlinearity b of a pick-off: an angle error of (3 b a^2
   extends BaseClasses.Turning(
     tolerance = 0.01,
     gyro(startAmplitude = amplitude, amplitudeSetpoint = amplitude, pickOff(cubic = present*cubic)));
-  parameter Units.Ratio cubic = 4e-3 "b";
-  parameter Units.Displacement amplitude = 0.5 "a";
+  parameter Units.DimensionlessRatio cubic = 4e-3 "b";
+  parameter Units.RelativeDisplacement amplitude = 0.5 "a";
 equation
   measured = angleError;
   expected = 0.75*cubic*amplitude^2/(8*k)*sin(8*theta);

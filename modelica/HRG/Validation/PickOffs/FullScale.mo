@@ -1,10 +1,10 @@
 within HRG.Validation.PickOffs;
 model FullScale "Converter full scale f: the angle read is that of the clipped displacements"
   extends BaseClasses.Claim(redeclare type Quantity = Units.Angle, gyro(pickOff(fullScale = present*limit)));
-  parameter Units.Displacement limit = 0.8 "f, over the amplitude";
+  parameter Units.RelativeDisplacement limit = 0.8 "f, over the amplitude";
 protected
-  Units.Displacement x "Read";
-  Units.Displacement y "Read";
+  Units.RelativeDisplacement x "Read";
+  Units.RelativeDisplacement y "Read";
 equation
   measured = (startAngle - theta)/k;
   x = (if cos(2*startAngle) > limit then limit elseif cos(2*startAngle) < -limit then -limit else cos(2*startAngle));

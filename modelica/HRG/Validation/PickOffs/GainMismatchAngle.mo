@@ -1,7 +1,7 @@
 within HRG.Validation.PickOffs;
 model GainMismatchAngle "Pick-off gain mismatch g: a rate error of -g W cos 4 theta, an angle error of (g/4k) sin 4 theta"
   extends BaseClasses.Turning(tolerance = 0.01, gyro(pickOff(gainMismatch = present*mismatch)));
-  parameter Units.Ratio mismatch = 1e-3 "g";
+  parameter Units.DimensionlessRatio mismatch = 1e-3 "g";
 equation
   measured = angleError;
   expected = mismatch/(4*k)*sin(4*theta);

@@ -1,7 +1,7 @@
 within HRG.Validation.PickOffs;
 model GainMismatchGrowth "Pick-off gain mismatch: an amplitude force of -(g/2 tau) cos 4 theta"
   extends BaseClasses.GrowthAtRest(gyro(pickOff(gainMismatch = present*mismatch)));
-  parameter Units.Ratio mismatch = 1e-3 "g";
+  parameter Units.DimensionlessRatio mismatch = 1e-3 "g";
 equation
   expected = -mismatch/(2*tau)*cos(4*theta);
   scale = mismatch/(2*tau);

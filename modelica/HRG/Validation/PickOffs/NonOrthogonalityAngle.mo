@@ -1,7 +1,7 @@
 within HRG.Validation.PickOffs;
 model NonOrthogonalityAngle "Pick-off non-orthogonality d: an angle error of -(d/4k)(1 + cos 4 theta)"
   extends BaseClasses.Turning(tolerance = 0.01, gyro(pickOff(nonOrthogonality = present*skew)));
-  parameter Units.Ratio skew = 1e-3 "d";
+  parameter Units.DimensionlessRatio skew = 1e-3 "d";
 equation
   measured = angleError;
   expected = -skew/(4*k)*(1 + cos(4*theta));

@@ -1,7 +1,7 @@
 within HRG.Validation.PickOffs;
 model NonOrthogonalityBias "Pick-off non-orthogonality: a bias of -(d/4k tau)(1 + cos 4 theta), whose mean is not zero"
   extends BaseClasses.BiasAtRest(gyro(pickOff(nonOrthogonality = present*skew)));
-  parameter Units.Ratio skew = 1e-3 "d";
+  parameter Units.DimensionlessRatio skew = 1e-3 "d";
 equation
   measured = bias.rate;
   expected = -skew/(4*k*tau)*(1 + cos(4*theta));

@@ -6,8 +6,8 @@ model OffsetAngle "Demodulation offset x0: an angle error of (x0/2k a) sin 2 the
       startAmplitude = amplitude,
       amplitudeSetpoint = amplitude,
       pickOff(offset = present*offset)));
-  parameter Units.Displacement offset = 1e-3 "x0, over the nominal amplitude";
-  parameter Units.Displacement amplitude = 0.5 "a";
+  parameter Units.RelativeDisplacement offset = 1e-3 "x0, over the nominal amplitude";
+  parameter Units.RelativeDisplacement amplitude = 0.5 "a";
 equation
   measured = angleError;
   expected = offset/(2*k*amplitude)*sin(2*theta);

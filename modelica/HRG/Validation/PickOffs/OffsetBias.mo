@@ -1,7 +1,7 @@
 within HRG.Validation.PickOffs;
 model OffsetBias "Demodulation offset x0: a bias of (x0/2k tau) sin 2 theta, a second harmonic"
   extends BaseClasses.BiasAtRest(gyro(pickOff(offset = present*offset)));
-  parameter Units.Displacement offset = 1e-4 "x0, over the amplitude";
+  parameter Units.RelativeDisplacement offset = 1e-4 "x0, over the amplitude";
 equation
   measured = bias.rate;
   expected = offset/(2*k*tau)*sin(2*theta);

@@ -6,8 +6,8 @@ model OffsetYAngle "Demodulation offset y0 of y: an angle error of -(y0/2k a) co
       startAmplitude = amplitude,
       amplitudeSetpoint = amplitude,
       pickOff(offsetY = present*offset)));
-  parameter Units.Displacement offset = 1e-3 "y0, over the nominal amplitude";
-  parameter Units.Displacement amplitude = 0.5 "a";
+  parameter Units.RelativeDisplacement offset = 1e-3 "y0, over the nominal amplitude";
+  parameter Units.RelativeDisplacement amplitude = 0.5 "a";
 equation
   measured = angleError;
   expected = -offset/(2*k*amplitude)*cos(2*theta);

@@ -1,10 +1,10 @@
 within HRG.Validation.PickOffs;
 model Resolution "Converter resolution r: the angle read is that of the rounded displacements"
   extends BaseClasses.Claim(redeclare type Quantity = Units.Angle, gyro(pickOff(resolution = present*step)));
-  parameter Units.Displacement step = 1e-2 "r, over the amplitude";
+  parameter Units.RelativeDisplacement step = 1e-2 "r, over the amplitude";
 protected
-  Units.Displacement x "Read";
-  Units.Displacement y "Read";
+  Units.RelativeDisplacement x "Read";
+  Units.RelativeDisplacement y "Read";
 equation
   measured = (startAngle - theta)/k;
   x = step*floor(cos(2*startAngle)/step + 0.5);

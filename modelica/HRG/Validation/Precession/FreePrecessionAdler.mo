@@ -1,15 +1,15 @@
 within HRG.Validation.Precession;
 model FreePrecessionAdler "Free precession above lock-in: the mean bias over full turns is not zero but sqrt(W^2 - W_L^2) - W"
   extends BaseClasses.Claim(
-    redeclare type Quantity = Units.AngularRate,
+    redeclare type Quantity = Units.AngularVelocity,
     gyro(angularRate = rate, resonator(material(dampingAnisotropy = present*anisotropy, dampingAxis = axis))));
   parameter Units.Time period = 400 "In which the pattern makes a quarter turn, a period of the bias";
   parameter Units.Angle axis = 0.35 "Of maximum damping";
   BaseClasses.MeanRate turning(samplePeriod = gyro.samplePeriod, angle = gyro.gyroAngle, begin = 10) "Output rate";
 protected
-  final parameter Units.Rate anisotropy = 2*Constants.pi/(sqrt(3)*period) "D, of damping";
-  final parameter Units.AngularRate lockRate = anisotropy/(4*k) "W_L";
-  final parameter Units.AngularRate rate = 2*lockRate "W, of the case";
+  final parameter Units.DampingCoefficient anisotropy = 2*Constants.pi/(sqrt(3)*period) "D, of damping";
+  final parameter Units.AngularVelocity lockRate = anisotropy/(4*k) "W_L";
+  final parameter Units.AngularVelocity rate = 2*lockRate "W, of the case";
 equation
   measured = turning.rate - rate;
   expected = sqrt(rate^2 - lockRate^2) - rate;

@@ -5,11 +5,11 @@ model ImposedRotationMean "Rotation imposed well above lock-in: the mean bias ov
     gyro(
       virtualRotation = present*rotation,
       resonator(material(dampingAnisotropy = anisotropy, dampingAxis = axis))));
-  parameter Units.Rate anisotropy = 1e-3 "D, of damping";
+  parameter Units.DampingCoefficient anisotropy = 1e-3 "D, of damping";
   parameter Units.Angle axis = 0.35 "Of maximum damping";
   parameter Units.Time period = 10 "In which the pattern makes a quarter turn, a period of the bias";
 protected
-  final parameter Units.AngularRate rotation = Constants.pi/(2*k*period) "V, as an input rate";
+  final parameter Units.AngularVelocity rotation = Constants.pi/(2*k*period) "V, as an input rate";
 equation
   measured = expected - bias.rate;
   expected = -anisotropy/(4*k)*sin(4*(startAngle - axis));

@@ -6,9 +6,9 @@ model ImposedRotationRipple "Rotation imposed at V: the bias leaves an angle of 
     gyro(
       virtualRotation = rotation,
       resonator(material(dampingAnisotropy = present*anisotropy, dampingAxis = axis))));
-  parameter Units.Rate anisotropy = 1e-3 "D, of damping";
+  parameter Units.DampingCoefficient anisotropy = 1e-3 "D, of damping";
   parameter Units.Angle axis = 0.35 "Of maximum damping";
-  parameter Units.AngularRate rotation = 0.5 "V, as an input rate";
+  parameter Units.AngularVelocity rotation = 0.5 "V, as an input rate";
 equation
   measured = gyro.gyroAngle;
   expected = anisotropy/(16*k^2*rotation)*(cos(4*(theta - axis)) - cos(4*(startAngle - axis)));

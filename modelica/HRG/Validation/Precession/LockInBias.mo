@@ -2,13 +2,13 @@ within HRG.Validation.Precession;
 model LockInBias "Below lock-in, W < W_L = D/4k: the pattern stands, the output is dead"
   extends BaseClasses.Claim(
     tolerance = 0.005,
-    redeclare type Quantity = Units.AngularRate,
+    redeclare type Quantity = Units.AngularVelocity,
     gyro(angularRate = rate, resonator(material(dampingAnisotropy = present*anisotropy, dampingAxis = axis))));
-  parameter Units.Rate anisotropy = 1e-2 "D, of damping";
+  parameter Units.DampingCoefficient anisotropy = 1e-2 "D, of damping";
   parameter Units.Angle axis = 0.35 "Of maximum damping";
   BaseClasses.MeanRate turning(samplePeriod = gyro.samplePeriod, angle = gyro.gyroAngle, begin = 1150) "Output rate";
 protected
-  final parameter Units.AngularRate rate = 0.6*anisotropy/(4*k) "Of the case";
+  final parameter Units.AngularVelocity rate = 0.6*anisotropy/(4*k) "Of the case";
 equation
   measured = turning.rate - rate;
   expected = -rate;

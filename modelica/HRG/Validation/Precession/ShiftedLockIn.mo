@@ -1,19 +1,19 @@
 within HRG.Validation.Precession;
 model ShiftedLockIn "Under a virtual rotation V the dead zone moves to W = V: there the output stays at V"
   extends BaseClasses.Claim(
-    redeclare type Quantity = Units.AngularRate,
+    redeclare type Quantity = Units.AngularVelocity,
     tolerance = 0.005,
     gyro(
       angularRate = rate,
       virtualRotation = rotation,
       resonator(material(dampingAnisotropy = present*anisotropy, dampingAxis = axis))));
-  parameter Units.Rate anisotropy = 1e-2 "D, of damping";
+  parameter Units.DampingCoefficient anisotropy = 1e-2 "D, of damping";
   parameter Units.Angle axis = 0.35 "Of maximum damping";
-  parameter Units.AngularRate rotation = 0.1 "V, as an input rate";
+  parameter Units.AngularVelocity rotation = 0.1 "V, as an input rate";
   BaseClasses.MeanRate turning(samplePeriod = gyro.samplePeriod, angle = gyro.gyroAngle, begin = 1150) "Output rate";
 protected
-  final parameter Units.AngularRate excess = 0.6*anisotropy/(4*k) "Of the case over V";
-  final parameter Units.AngularRate rate = rotation + excess "Of the case";
+  final parameter Units.AngularVelocity excess = 0.6*anisotropy/(4*k) "Of the case over V";
+  final parameter Units.AngularVelocity rate = rotation + excess "Of the case";
 equation
   measured = turning.rate - rate;
   expected = -excess;

@@ -1,7 +1,7 @@
 within HRG.Validation.RandomErrors;
 model AngleRandomWalk "Force noise: Allan deviation N/(a sqrt(T)), inverse to the amplitude"
   extends BaseClasses.Claim(
-    redeclare type Quantity = Units.AngularRate,
+    redeclare type Quantity = Units.AngularVelocity,
     tolerance = 0.08,
     gyro(
       seed = 1,
@@ -9,7 +9,7 @@ model AngleRandomWalk "Force noise: Allan deviation N/(a sqrt(T)), inverse to th
       amplitudeSetpoint = amplitude,
       noise(angleRandomWalk = present*coefficient)));
   parameter Units.AngleRandomWalk coefficient = 1e-6 "N, at nominal amplitude";
-  parameter Units.Displacement amplitude = 0.5 "a";
+  parameter Units.RelativeDisplacement amplitude = 0.5 "a";
   parameter Units.Time average = 0.1 "Averaging time";
   BaseClasses.AllanDeviation allan(
     samplePeriod = gyro.samplePeriod,

@@ -1,10 +1,10 @@
 within HRG.Validation.RandomErrors;
 model BiasInstability "Flicker: an Allan deviation of 0.664 B, flat in the averaging time"
   extends BaseClasses.Claim(
-    redeclare type Quantity = Units.AngularRate,
+    redeclare type Quantity = Units.AngularVelocity,
     tolerance = 0.2,
     gyro(seed = 1, noise(biasInstability = present*instability)));
-  parameter Units.AngularRate instability = 1e-6 "B";
+  parameter Units.AngularVelocity instability = 1e-6 "B";
   parameter Units.Time average = 1 "Averaging time";
   BaseClasses.AllanDeviation allan(
     samplePeriod = gyro.samplePeriod,

@@ -1,7 +1,7 @@
 within HRG.Validation.RandomErrors;
 model PickOffNoise "Pick-off noise: Allan deviation sqrt(3) s/T, s = S/sqrt(Ts)/(2k a) in angle"
   extends BaseClasses.Claim(
-    redeclare type Quantity = Units.AngularRate,
+    redeclare type Quantity = Units.AngularVelocity,
     tolerance = 0.08,
     gyro(
       seed = 1,
@@ -9,7 +9,7 @@ model PickOffNoise "Pick-off noise: Allan deviation sqrt(3) s/T, s = S/sqrt(Ts)/
       amplitudeSetpoint = amplitude,
       noise(pickOff = present*density)));
   parameter Units.NoiseDensity density = 1e-8 "S, of a channel";
-  parameter Units.Displacement amplitude = 0.5 "a";
+  parameter Units.RelativeDisplacement amplitude = 0.5 "a";
   parameter Units.Time average = 0.05 "Averaging time";
   BaseClasses.AllanDeviation allan(
     samplePeriod = gyro.samplePeriod,

@@ -1,7 +1,7 @@
 within HRG.Validation.RandomErrors;
 model RateRandomWalk "Rate random walk: Allan deviation K sqrt(T/3)"
   extends BaseClasses.Claim(
-    redeclare type Quantity = Units.AngularRate,
+    redeclare type Quantity = Units.AngularVelocity,
     tolerance = 0.12,
     gyro(seed = 1, noise(rateRandomWalk = present*coefficient)));
   parameter Units.RateRandomWalk coefficient = 1e-6 "K";

@@ -1,10 +1,10 @@
 within HRG.Validation.RandomErrors;
 model VirtualRotationNoise "Noise of the virtual rotation V: Allan deviation V S/sqrt(T)"
   extends BaseClasses.Claim(
-    redeclare type Quantity = Units.AngularRate,
+    redeclare type Quantity = Units.AngularVelocity,
     tolerance = 0.08,
     gyro(seed = 1, virtualRotation = rate, noise(virtualRotation = present*density)));
-  parameter Units.AngularRate rate = 0.17 "V, as an input rate";
+  parameter Units.AngularVelocity rate = 0.17 "V, as an input rate";
   parameter Units.NoiseDensity density = 1e-4 "S, of the relative rotation";
   parameter Units.Time average = 0.1 "Averaging time";
   BaseClasses.AllanDeviation allan(

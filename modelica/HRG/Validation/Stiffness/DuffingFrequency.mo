@@ -7,7 +7,7 @@ model DuffingFrequency "Cubic stiffness: a frequency of delta a^2"
       amplitudeSetpoint = amplitude,
       resonator(material(duffing = present*duffing))));
   parameter Units.AngularFrequency duffing = 0.05 "delta, frequency shift at unit amplitude";
-  parameter Units.Displacement amplitude = 0.5 "a";
+  parameter Units.RelativeDisplacement amplitude = 0.5 "a";
 equation
   measured = gyro.frequencyOffset;
   expected = duffing*amplitude^2;

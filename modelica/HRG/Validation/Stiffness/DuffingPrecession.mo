@@ -7,8 +7,8 @@ model DuffingPrecession "Cubic stiffness with quadrature q: a constant bias of +
       resonator(material(duffing = present*duffing)),
       controller(quadratureSetpoint = residual)));
   parameter Units.AngularFrequency duffing = 0.05 "delta, frequency shift at unit amplitude";
-  parameter Units.Displacement residual = 1e-3 "q, over the nominal amplitude";
-  parameter Units.Displacement amplitude = 0.5 "a";
+  parameter Units.RelativeDisplacement residual = 1e-3 "q, over the nominal amplitude";
+  parameter Units.RelativeDisplacement amplitude = 0.5 "a";
 equation
   measured = bias.rate;
   expected = duffing*amplitude*residual/(3*k);

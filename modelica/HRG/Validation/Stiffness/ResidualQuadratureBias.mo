@@ -8,8 +8,8 @@ model ResidualQuadratureBias "Frequency split dw with residual quadrature q: a b
       controller(quadratureSetpoint = present*residual)));
   parameter Units.AngularFrequency split = 2*Constants.pi*1e-3 "dw, of frequency";
   parameter Units.Angle axis = 0.5 "Of the mode of lower frequency";
-  parameter Units.Displacement residual = 1e-3 "q, over the nominal amplitude";
-  parameter Units.Displacement amplitude = 0.5 "a";
+  parameter Units.RelativeDisplacement residual = 1e-3 "q, over the nominal amplitude";
+  parameter Units.RelativeDisplacement amplitude = 0.5 "a";
 equation
   measured = bias.rate;
   expected = -split*residual/(2*k*amplitude)*cos(4*(theta - axis));

@@ -1,9 +1,9 @@
 within HRG.Validation.Stiffness;
 model ResidualQuadratureForce "Residual quadrature q: a constant quadrature force of q/tau"
   extends BaseClasses.Claim(
-    redeclare type Quantity = Units.Force,
+    redeclare type Quantity = Units.RelativeForce,
     gyro(controller(quadratureSetpoint = present*residual)));
-  parameter Units.Displacement residual = 1e-3 "q, over the amplitude";
+  parameter Units.RelativeDisplacement residual = 1e-3 "q, over the amplitude";
 equation
   measured = gyro.quadratureForce;
   expected = residual/tau;

@@ -1,7 +1,7 @@
 within HRG.Validation.Stiffness;
 model SplitQuadratureForce "Frequency split dw: a quadrature force of (dw/2) sin 4(theta - theta_w)"
   extends BaseClasses.Claim(
-    redeclare type Quantity = Units.Force,
+    redeclare type Quantity = Units.RelativeForce,
     gyro(resonator(material(frequencySplit = present*split, stiffnessAxis = axis))));
   parameter Units.AngularFrequency split = 2*Constants.pi*1e-3 "dw, of frequency";
   parameter Units.Angle axis = 0.5 "Of the mode of lower frequency";

@@ -4,6 +4,7 @@ import html
 import math
 import re
 from collections.abc import Mapping, Sequence
+from importlib.metadata import version
 from typing import Any
 
 from pyhrg.device.device import Device
@@ -34,27 +35,28 @@ OUTPUTS = {
 }
 """Outputs, with what each variable adds."""
 ADDED = {
-    "addedRate": ("AngularRate", "Bias, as an input rate"),
+    "addedRate": ("AngularVelocity", "Bias, as an input rate"),
     "addedAngle": ("Angle", "Error of the measured angle"),
-    "addedAmplitude": ("Displacement", "Error of the detected amplitude"),
-    "addedAmplitudeForce": ("Rate", "Damping that the amplitude loop balances"),
-    "addedQuadratureForce": ("Force", "Stiffness that the quadrature loop balances"),
+    "addedAmplitude": ("RelativeDisplacement", "Error of the detected amplitude"),
+    "addedAmplitudeForce": ("DampingCoefficient", "Damping that the amplitude loop balances"),
+    "addedQuadratureForce": ("RelativeForce", "Stiffness that the quadrature loop balances"),
     "addedFrequency": ("AngularFrequency", "Stiffness that the phase loop follows"),
-    "freeDamping": ("Rate", "Damping that also acts while the drive is off"),
+    "freeDamping": ("DampingCoefficient", "Damping that also acts while the drive is off"),
 }
 """Type and meaning of what the terms add to."""
+_RATIO = "Units.DimensionlessRatio"
 _TEMPERATURE = "gyro.resonator.environment"
 COORDINATES = {
     "pattern": ("Units.Angle", "Pattern angle theta", "gyro.patternAngle"),
-    "warmth": ("Units.Ratio", "Resonator above the reference temperature, over 1 K",
+    "warmth": (_RATIO, "Resonator above the reference temperature, over 1 K",
                f"{_TEMPERATURE}.temperature/1.0"),
-    "caseWarmth": ("Units.Ratio", "Case above the reference temperature, over 1 K",
+    "caseWarmth": (_RATIO, "Case above the reference temperature, over 1 K",
                    f"caseTemperature - {_TEMPERATURE}.referenceTemperature"),
-    "turnRate": ("Units.Ratio", "Input rate, over 1 deg/s", "angularRate*57.29577951308232"),
-    "commandedRate": ("Units.Ratio", "Commanded rotation, over 1 deg/s",
+    "turnRate": (_RATIO, "Input rate, over 1 deg/s", "angularRate*57.29577951308232"),
+    "commandedRate": (_RATIO, "Commanded rotation, over 1 deg/s",
                       "virtualRotation*57.29577951308232"),
-    "hours": ("Units.Ratio", "Time since power-on, over 1 h", f"{_TEMPERATURE}.age/3600"),
-    **{f"force{a}": ("Units.Ratio", f"Specific force {a.lower()}, over 1 m/s2",
+    "hours": (_RATIO, "Time since power-on, over 1 h", f"{_TEMPERATURE}.age/3600"),
+    **{f"force{a}": (_RATIO, f"Specific force {a.lower()}, over 1 m/s2",
                      f"acceleration{a}/1.0") for a in "XYZ"},
 }  # fmt: skip
 """Type, meaning and equation of a coordinate's variable."""
@@ -79,7 +81,7 @@ SAMPLED = {
 """Meaning and equation, every 10 ms, of variables with a memory; they are steady at power-on."""
 TEXT = """model {name} "{title}"
   extends HRG.Interfaces.PartialGyro{starts};
-{parameters}{variables}  HRG.Gyroscopes.HRG gyro(
+{parameters}{variables}  HRG.Gyroscopes.HRGEnvelope gyro(
     seed = seed,
     startAngle = startAngle,
     startAmplitude = startAmplitude,
@@ -87,7 +89,7 @@ TEXT = """model {name} "{title}"
 {held}{modifiers}) "The identified gyro, its causes put in";
 equation
 {equations}
-  annotation (Documentation(info="<html>
+  annotation (uses(HRG(version = "{version}")), Documentation(info="<html>
 {documentation}
 </html>"));
 end {name};
@@ -106,6 +108,7 @@ def write_class(device: Device, terms: Sequence[Term], title: str, notes: Sequen
     modifiers = _format_modifiers(own["gyro"])
     return TEXT.format(
         name=CLASS,
+        version=version("hrg"),
         title=_plain(title),
         starts=f"({starts})" if starts else "",
         parameters="".join(_declare_parameters(t) for t in terms),
@@ -197,9 +200,9 @@ def _declare_variables(used: Sequence[str], added: Sequence[str]) -> str:
             kind, meaning, _ = COORDINATES[name]
             lines.append(f'  HRG.{kind} {name} "{meaning}";')
     if "amplitudeExcess" in used:
-        lines.append('  HRG.Units.Ratio amplitudeExcess "Amplitude over the nominal one, less 1";')
+        lines.append(f'  HRG.{_RATIO} amplitudeExcess "Amplitude over the nominal one, less 1";')
     lines += [
-        f'  discrete HRG.Units.Ratio {name}(start = 0, fixed = true) "{meaning}";'
+        f'  discrete HRG.{_RATIO} {name}(start = 0, fixed = true) "{meaning}";'
         for name, (meaning, _) in SAMPLED.items()
         if name in used
     ]

@@ -29,7 +29,7 @@ class Acting:
 
 GROWTH = "driveOn*gyro.amplitudeForce"
 """Growth rate that the drive gives, in the written class."""
-BIAS = Acting("bias", "bias", "AngularRate", "deg_h", DEG_PER_H, (("addedRate", ""),))
+BIAS = Acting("bias", "bias", "AngularVelocity", "deg_h", DEG_PER_H, (("addedRate", ""),))
 READOUT = Acting("readout", "readout", "Angle", "arcsec", ARCSEC, (("addedAngle", ""),))
 BY_PREFIX = {
     "bias": BIAS,
@@ -40,7 +40,7 @@ BY_PREFIX = {
     ),
     "drive": Acting("drive", "drive", "Angle", "arcsec", ARCSEC, (("addedRate", GROWTH),)),
     "drive gain": Acting(
-        "drive", "drive_gain", "Ratio", "", 1.0,
+        "drive", "drive_gain", "DimensionlessRatio", "", 1.0,
         (
             ("addedRate", "-virtualRotation"),
             ("addedAmplitudeForce", "-gyro.amplitudeForce"),
@@ -49,14 +49,21 @@ BY_PREFIX = {
     ),
 }  # fmt: skip
 """How a term acts whose function begins with this word and a colon."""
-DAMPING = Acting("damping", "damping", "Rate", "per_s", 1.0, (("addedAmplitudeForce", ""),))
+DAMPING = Acting(
+    "damping", "damping", "DampingCoefficient", "per_s", 1.0, (("addedAmplitudeForce", ""),)
+)
 BY_CHANNEL = {
     "amplitude": Acting(
-        "electronics", "electronics", "Displacement", "amplitude", 1.0, (("addedAmplitude", ""),)
+        "electronics",
+        "electronics",
+        "RelativeDisplacement",
+        "amplitude",
+        1.0,
+        (("addedAmplitude", ""),),
     ),
     "amplitude_force": DAMPING,
     "quadrature_force": Acting(
-        "stiffness", "stiffness", "Force", "per_s", 1.0, (("addedQuadratureForce", ""),)
+        "stiffness", "stiffness", "RelativeForce", "per_s", 1.0, (("addedQuadratureForce", ""),)
     ),
     "frequency_offset": Acting(
         "stiffness", "frequency", "AngularFrequency", "Hz", HZ, (("addedFrequency", ""),)

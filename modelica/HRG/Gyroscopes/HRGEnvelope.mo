@@ -1,5 +1,5 @@
 within HRG.Gyroscopes;
-model HRG "Whole-angle hemispherical resonator gyro: complex envelope, electronics sampled at 1 kHz"
+model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, electronics sampled at 1 kHz"
   extends Interfaces.PartialGyro;
   final parameter Units.Time samplePeriod = 1e-3 "Control period";
   Resonators.Resonator resonator(
@@ -65,4 +65,4 @@ and hold their forces until the next. In the whole-angle mode the pattern is fre
 -k times the angle of the case, and the gyro measures by reading it. In the force-to-rebalance mode
 (<code>controller.forceToRebalance = 1</code>) it is held, and the gyro measures by the rotation it commands.</p>
 </html>"));
-end HRG;
+end HRGEnvelope;

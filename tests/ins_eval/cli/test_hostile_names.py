@@ -15,6 +15,7 @@ from ins_eval.study.tables import columns as c
 from pyhrg import compute_allan, diagnose_record
 from pyhrg.bench.catalogue import PROCEDURES
 from pyhrg.bench.reporting.result import PAGE, BenchResults, TestFailure
+from pyhrg.common.cli import main
 from pyhrg.common.pages.markup import make_choice, make_paragraph
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.report.page import build_page
@@ -29,6 +30,8 @@ from tests.pyhrg.gap.report.conftest import with_gap as with_gap
 from tests.pyhrg.gap.static_record.test_run import belief_file, imu_log
 
 EVIL = "<img src=x onerror=alert(1)>\"'</script><!--&"
+EVIL_FILE = "<img src=x onerror=alert(1)>"
+Arguments = list[str | Path]
 FORMULA = r"$\nonsense{$"
 
 
@@ -99,6 +102,37 @@ def test_markup_in_names_is_text(
     assert "&lt;img src=x" in text
     assert not [a for tag, a in found if a.get("src") == "x" or "onerror" in a]
     assert "<!--&" not in text
+
+
+def write_log(folder: Path) -> Path:
+    """An IMU's log whose name holds markup."""
+    return imu_log(folder / "imu.csv").rename(folder / f"log {EVIL_FILE}.csv")
+
+
+def bench(folder: Path) -> Arguments:
+    device = folder / f"device {EVIL_FILE}.toml"
+    device.write_text(f'name = "{EVIL_FILE}"\n')
+    return ["bench", "amplitude-sweep", "--device", device]
+
+
+def allan(folder: Path) -> Arguments:
+    return ["allan", write_log(folder), "--trusted"]
+
+
+def diagnose(folder: Path) -> Arguments:
+    belief = belief_file(folder).rename(folder / f"belief {EVIL_FILE}.toml")
+    return ["gap", "diagnose", write_log(folder), "--belief", belief, "--trusted"]
+
+
+@pytest.mark.parametrize("make_arguments", [bench, allan, diagnose])
+def test_markup_in_names_of_files_is_text(
+    make_arguments: Callable[[Path], Arguments], tmp_path: Path
+) -> None:
+    arguments = [*make_arguments(tmp_path), "--out", tmp_path / "out"]
+    assert main([str(argument) for argument in arguments]) == 0
+    texts = [path.read_text() for path in (tmp_path / "out").rglob("*.html")]
+    assert not any("<img src=x" in text for text in texts)
+    assert any("&lt;img src=x" in text for text in texts)
 
 
 @pytest.mark.parametrize(

@@ -1,11 +1,14 @@
 """Commands that are killed at random moments end, begun again, as if nothing had happened.
 
-    python benchmarks/kills.py [KILLS] [SEED]
+    python benchmarks/kills.py [KILLS] [SEED] [COMMAND ...]
 
-So many kills (default 100) by SIGINT, SIGTERM and SIGKILL, over a bench run, a challenge and a
-build with an empty cache; tests/ins_eval/study/run kills studies. A command is killed at a random
-moment of its usual duration, then run to its end in the same folder, whose files must have the
-bytes of an undisturbed run. Status 1 where they differ.
+So many kills (default 100) by SIGINT, SIGTERM and SIGKILL, in turn over a validation, a study, a
+whole bench, a challenge and a build with an empty cache; or over those that are named. A command is
+killed at a random moment of its usual duration, then run to its end in the same folder, whose files
+must have the bytes of an undisturbed run, with nothing beside them. Status 1 where they differ.
+
+The usual duration is that of a second run: the first one fills the cache. A command that ended
+before it was killed isn't counted; it is run and killed anew.
 """
 
 import hashlib
@@ -20,13 +23,24 @@ import time
 from pathlib import Path
 
 HRG = [sys.executable, "-c", "import sys; from pyhrg.common.cli import main; sys.exit(main())"]
+STUDY = """\
+seed = 1
+triads = 38
+training = 2
+hours = 0.1
+calibrations = ["mean"]
+missions = [{ name = "car", class = "car" }]
+"""
+"""The smallest study that is scored."""
 COMMANDS = {
-    "bench": "bench amplitude-sweep --seed 1 --out {out}",
+    "validate": "validate --triads 36 --hours 0.1 --seed 1 --workers 1 --out {out}",
+    "study": "study {study} --workers 1 --out {out}",
+    "bench": "bench all --seed 1 --workers 1 --out {out}",
     "challenge": "gap challenge --none 0 --single 1 --pairs 0 --outside 0 --data short --seed 1"
     " --workers 1 --out {out}",
     "build": "build --out {out}/HRG.fmu",
 }
-"""What is killed; {out} is the output folder."""
+"""What is killed; {out} is the output folder, {study} the study's file."""
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGKILL)
 
 
@@ -36,13 +50,21 @@ def start(name: str, out: Path) -> subprocess.Popen[bytes]:
     if name == "build":
         out.mkdir(exist_ok=True)
         environment["XDG_CACHE_HOME"] = str(out.parent / f"cache-{out.name}")
+    study = out.parent / "study.toml"
+    study.write_text(STUDY)
     return subprocess.Popen(
-        [*HRG, *COMMANDS[name].format(out=out).split()],
+        [*HRG, *COMMANDS[name].format(out=out, study=study).split()],
         env=environment,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
         start_new_session=True,
     )
+
+
+def clear(out: Path) -> None:
+    """Remove a command's output folder, and its cache where it has one of its own."""
+    shutil.rmtree(out, ignore_errors=True)
+    shutil.rmtree(out.parent / f"cache-{out.name}", ignore_errors=True)
 
 
 def digest_files(out: Path) -> dict[str, str]:
@@ -51,34 +73,55 @@ def digest_files(out: Path) -> dict[str, str]:
     return {str(p.relative_to(out)): hashlib.sha256(p.read_bytes()).hexdigest() for p in files}
 
 
-def main(kills: int = 100, seed: int = 1) -> None:
+def run_undisturbed(name: str, folder: Path) -> tuple[dict[str, str], float]:
+    """Digests of what a command writes, and its duration with a warm cache, s."""
+    for number in range(2):
+        out = folder / f"{name}-whole-{number}"
+        begin = time.monotonic()
+        assert start(name, out).wait() == 0, name
+        duration, expected = time.monotonic() - begin, digest_files(out)
+        clear(out)
+    return expected, duration
+
+
+def kill_once(name: str, out: Path, sent: signal.Signals, moment: float) -> bool:
+    """Whether a command was still running when it was killed, after so many seconds."""
+    run = start(name, out)
+    time.sleep(moment)
+    hit = run.poll() is None
+    if hit:
+        run.send_signal(sent)
+        hit = run.wait() != 0  # it may have ended at that very moment
+    return hit
+
+
+def main(kills: int, seed: int, names: list[str]) -> None:
     """Run and print."""
-    chance, failures = random.Random(seed), 0
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        expected, durations = {}, {}
-        for command in COMMANDS:
-            begin = time.monotonic()
-            assert start(command, folder / command).wait() == 0, command
-            durations[command] = time.monotonic() - begin
-            expected[command] = digest_files(folder / command)
+    chance, failures, missed = random.Random(seed), 0, 0
+    with tempfile.TemporaryDirectory() as folder_name:
+        folder = Path(folder_name)
+        usual = {name: run_undisturbed(name, folder) for name in names}
+        print("; ".join(f"{n}: {usual[n][1]:.1f} s" for n in names), flush=True)
         for number in range(kills):
-            command, sent = chance.choice(list(COMMANDS)), chance.choice(SIGNALS)
-            out = folder / f"{command}-{number}"
-            run = start(command, out)
-            time.sleep(chance.uniform(0, durations[command]))
-            run.send_signal(sent)
-            run.wait()
-            status = start(command, out).wait()
-            same = status == 0 and digest_files(out) == expected[command]
+            name, sent = names[number % len(names)], chance.choice(SIGNALS)
+            expected, duration = usual[name]
+            out = folder / f"{name}-{number}"
+            moment = chance.uniform(0, duration)
+            while not kill_once(name, out, sent, moment):
+                missed += 1
+                clear(out)
+                moment = chance.uniform(0, duration)
+            status = start(name, out).wait()
+            same = status == 0 and digest_files(out) == expected
             failures += not same
-            print(f"{number} {command} {sent.name}: {'same' if same else f'differs ({status})'}",
-                  flush=True)  # fmt: skip
-            shutil.rmtree(out, ignore_errors=True)
-            shutil.rmtree(folder / f"cache-{out.name}", ignore_errors=True)
-    print(f"seed {seed}: {kills} kills, {failures} with another result")
+            said = "same" if same else f"differs ({status})"
+            print(f"{number} {name} {sent.name} {moment:.1f} s: {said}", flush=True)
+            clear(out)
+    print(f"seed {seed}: {kills} kills, {failures} with another result; {missed} came too late")
     sys.exit(bool(failures))
 
 
 if __name__ == "__main__":
-    main(*map(int, sys.argv[1:]))
+    given = sys.argv[1:]
+    numbers = [int(text) for text in given[:2]]
+    main(*(*numbers, *(100, 1)[len(numbers) :]), names=given[2:] or list(COMMANDS))

@@ -30,7 +30,7 @@ def plot_alignment(result: Alignment, name: str = "") -> Figure:
         axes.grid(alpha=0.25)
         last = f"{angle} {value[-1]:.4f} ± {band[-1]:.4f} deg (one sigma, band)"
         axes.set_title(last, loc="left", fontsize="medium")
-    figure.suptitle(f"Alignment, fine{f': {name}' if name else ''}")
+    figure.suptitle(f"Alignment, fine{f': {name}' if name else ''}", parse_math=False)
     rows[-1].set_xlabel("time, s")
     rows[-1].set_xlim(time[0], time[-1])
     return figure

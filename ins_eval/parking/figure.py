@@ -19,7 +19,8 @@ def plot_comparison(result: Comparison) -> Figure:
     _draw_growth(growth, result)
     _draw_ratios(ratios, result)
     n = result.radial.shape[1]
-    figure.suptitle(f"Patterns of level gyros parked at power-on: {n} triads on {result.mission}")
+    title = f"Patterns of level gyros parked at power-on: {n} triads on {result.mission}"
+    figure.suptitle(title, parse_math=False)  # a mission's name is no formula
     return figure
 
 

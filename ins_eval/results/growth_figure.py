@@ -27,7 +27,7 @@ def draw_growth(flights: xr.Dataset) -> Figure:
     panels[2].legend(loc="best", fontsize="small", framealpha=0.9)
     panels[2].set_ylim(bottom=0)
     panels[2].set_xlabel("time since alignment, h")
-    figure.suptitle(str(flights.attrs.get("title", "")))
+    figure.suptitle(str(flights.attrs.get("title", "")), parse_math=False)
     return figure
 
 

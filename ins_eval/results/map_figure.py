@@ -25,7 +25,7 @@ def draw_map(flights: xr.Dataset) -> Figure:
     else:
         path = figure.add_subplot()
     _draw_path(path, flights)
-    figure.suptitle(str(flights.attrs.get("title", "")))
+    figure.suptitle(str(flights.attrs.get("title", "")), parse_math=False)
     return figure
 
 

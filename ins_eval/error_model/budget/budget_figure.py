@@ -41,7 +41,9 @@ def plot_budget(weights: Weights, budget: xr.Dataset, title: str = "Error budget
     rows[0, 1].legend(title="axis", fontsize="small")
     figure.legend(*rows[1, 0].get_legend_handles_labels(), loc="outside lower center", ncols=3)
     north, east = sum_contributions(budget)
-    figure.suptitle(f"{title}: final error {north:.4g} m north, {east:.4g} m east")
+    figure.suptitle(
+        f"{title}: final error {north:.4g} m north, {east:.4g} m east", parse_math=False
+    )
     return figure
 
 

@@ -17,7 +17,7 @@ class Table:
 
 def make_paragraph(text: str, style: str = "") -> str:
     """A paragraph, of a CSS class where one is named."""
-    opening = f'<p class="{style}">' if style else "<p>"
+    opening = f'<p class="{html.escape(style)}">' if style else "<p>"
     return f"{opening}{html.escape(text)}</p>"
 
 

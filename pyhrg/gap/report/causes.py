@@ -44,15 +44,16 @@ def build_causes(result: CampaignDiagnosis) -> str:
 
 def _make_rows(cause: Cause, result: CampaignDiagnosis) -> list[tuple[str, ...]]:
     rows: list[tuple[str, ...]] = []
-    for i, (name, value) in enumerate(cause.parameters.items()):
-        words, unit, scale = parse_parameter(name)
-        nominal = scale * read_told_value(result.nominal, name)
-        low, high = (scale * end for end in cause.interval_95[name])
+    for i, (parameter, value) in enumerate(cause.parameters.items()):
+        words, unit, scale = parse_parameter(parameter)
+        nominal = scale * read_told_value(result.nominal, parameter)
+        low, high = (scale * end for end in cause.interval_95[parameter])
         text = format_interval(scale * value, low, high)
-        equivalents = ", ".join(format_effect(e) for e in cause.equivalents) or "–"
-        effect = (f"<b>{format_effect(cause.effect)}</b>", format_percent(cause.probability))
+        equivalents = html.escape(", ".join(format_effect(e) for e in cause.equivalents) or "–")
+        name = html.escape(format_effect(cause.effect))
+        effect = (f"<b>{name}</b>", format_percent(cause.probability))
         lead, last = (effect, equivalents) if i == 0 else (("", ""), "")
-        rows.append((*lead, words, text, format_number(nominal), unit, last))
+        rows.append((*lead, html.escape(words), text, format_number(nominal), unit, last))
     return rows
 
 

@@ -83,7 +83,7 @@ def _build_term(term: Term) -> str:
         "floor that named causes leave on the held-out tests, in its channel"
     )
     nearest = "".join(
-        f"<li>{m.name} ({m.number}; {m.source}). To tell: {m.test}.</li>"
+        f"<li>{html.escape(f'{m.name} ({m.number}; {m.source}). To tell: {m.test}.')}</li>"
         for m in find_nearest(term)
     )
     return (

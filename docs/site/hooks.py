@@ -1,14 +1,75 @@
-"""Hooks of the documentation site: formulas become MathML, which a browser shows by itself."""
+"""Hooks of the documentation site: what is not written by hand, and formulas as MathML.
 
+MathML is shown by browsers themselves, without a script.
+"""
+
+import argparse
+import ast
 import html
+import os
 import re
+from collections.abc import Iterator
+from importlib.metadata import entry_points
+from pathlib import Path
+from typing import Any
 
 from latex2mathml.converter import convert
+
+ROOT = Path(__file__).parents[2]
+PACKAGES = ("pyhrg", "ins_eval", "fmu_build")
+CATALOGUE = ROOT / "modelica" / "HRG" / "UsersGuide" / "Mechanisms.mo"
 
 FORMULA = re.compile(r'<(span|div) class="arithmatex">\\[(\[](.*?)\\[)\]]</\1>', re.DOTALL)
 NUMBER = re.compile(r"\\tag\{(.*?)\}")
 BRACKETS = {r"\langle": "⟨", r"\rangle": "⟩"}
 """Brackets that the converter knows beside no `\\Big`, as LaTeX and as a character."""
+
+
+def on_page_markdown(markdown: str, page: Any, **_: object) -> str:
+    """Add to a page of the reference what the code says."""
+    for package in PACKAGES:
+        if page.file.src_uri == f"reference/{package}.md":
+            return "\n\n".join([markdown, *list_public_names(package)])
+    if page.file.src_uri == "reference/commands.md":
+        return "\n\n".join([markdown, *describe_commands()])
+    if page.file.src_uri == "reference/mechanisms.md":
+        return "\n\n".join([markdown, read_catalogue()])
+    return markdown
+
+
+def list_public_names(package: str) -> Iterator[str]:
+    """Give a block of mkdocstrings for each name of a package's front door."""
+    stub = ast.parse((ROOT / package / "__init__.pyi").read_text(encoding="utf-8"))
+    imports = [node for node in stub.body if isinstance(node, ast.ImportFrom)]
+    places = {alias.name: node.module for node in imports for alias in node.names}
+    for name, module in sorted(places.items(), key=lambda item: item[0].lower()):
+        yield f'::: {package}.{module}.{name}\n    options: {{heading: "{package}.{name}"}}'
+
+
+def describe_commands() -> Iterator[str]:
+    """Give the help of every subcommand of `hrg`."""
+    os.environ["COLUMNS"] = "100"
+    for entry in sorted(entry_points(group="hrg.commands"), key=lambda entry: entry.name):
+        command = entry.load()
+        parser = argparse.ArgumentParser(f"hrg {entry.name}", description=command.HELP)
+        command.add_options(parser)
+        yield f"## hrg {entry.name}"
+        yield from (f"```text\n{p.format_help()}```" for p in list_parsers(parser))
+
+
+def list_parsers(parser: argparse.ArgumentParser) -> Iterator[argparse.ArgumentParser]:
+    """Give a parser and, after it, those of its own subcommands."""
+    yield parser
+    for action in parser._actions:
+        if isinstance(action, argparse._SubParsersAction):
+            for part in action.choices.values():
+                yield from list_parsers(part)
+
+
+def read_catalogue() -> str:
+    """Give the catalogue of mechanisms, HTML that stands in the Modelica library."""
+    text = CATALOGUE.read_text(encoding="utf-8").replace('\\"', '"')
+    return text.partition("<html>")[2].partition("</html>")[0]
 
 
 def on_page_content(content: str, **_: object) -> str:
@@ -24,4 +85,4 @@ def write_formula(element: str, latex: str) -> str:
         return convert(latex)
     numbers = "".join(f"<span>({number})</span>" for number in NUMBER.findall(latex))
     formula = convert(NUMBER.sub("", latex).strip(), display="block")
-    return f'<div class="equation">{formula}{numbers}</div>'
+    return f'<div class="equation"><div>{formula}</div>{numbers}</div>'

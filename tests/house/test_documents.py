@@ -1,6 +1,9 @@
-"""The Python in README and docs runs as it stands there."""
+"""Python in README and docs runs as it stands there; commands and paths in them exist."""
 
+import argparse
 import re
+from collections.abc import Iterator
+from importlib.metadata import entry_points
 from pathlib import Path
 
 import matplotlib as mpl
@@ -38,3 +41,34 @@ def test_links_and_paths_exist() -> None:
         missing += [f"{page.name}: {link}" for link in links if not (page.parent / link).exists()]
         missing += [f"{page.name}: {path}" for path in paths if not (ROOT / path).exists()]
     assert missing == []
+
+
+def list_options(parser: argparse.ArgumentParser) -> Iterator[tuple[str, set[str]]]:
+    """A parser's command and options, and those of its own subcommands."""
+    yield parser.prog, {name for action in parser._actions for name in action.option_strings}
+    for action in parser._actions:
+        if isinstance(action, argparse._SubParsersAction):
+            for part in action.choices.values():
+                yield from list_options(part)
+
+
+def test_commands_and_options_exist() -> None:
+    """Each command in a block or between backquotes, with the options that stand behind it."""
+    known: dict[str, set[str]] = {}
+    for entry in entry_points(group="hrg.commands"):
+        parser = argparse.ArgumentParser(f"hrg {entry.name}")
+        entry.load().add_options(parser)
+        known.update(list_options(parser))
+    wrong, count = [], 0
+    for page in (*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")):
+        text = page.read_text(encoding="utf-8")
+        for line in re.findall(r"^(?:\$ )?(hrg [a-z].*)$|`(hrg [a-z][^`]*)`", text, re.MULTILINE):
+            command = "".join(line)
+            words = command.split()
+            name = next((n for n in (" ".join(words[:3]), " ".join(words[:2])) if n in known), None)
+            options = set(re.findall(r"(?<![\w-])--[a-z][\w-]*", command))
+            if name is None or not options <= known[name]:
+                wrong.append(f"{page.name}: {command}")
+            count += 1
+    assert wrong == []
+    assert count > 40

@@ -1,11 +1,14 @@
 """The documentation site: built strictly, read from its files without a network, at any width."""
 
+import json
 import os
 import re
 import subprocess
 import sys
 from collections.abc import Iterator
 from html.parser import HTMLParser
+from importlib import import_module
+from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Any
 
@@ -78,6 +81,33 @@ def test_formulas_are_shown_without_a_script(site: Path) -> None:
         if found := re.findall(r"\\[a-zA-Z]+|\$", prose):
             unread[page.name] = found
     assert unread == {}
+
+
+@pytest.mark.parametrize("package", ["pyhrg", "ins_eval", "fmu_build"])
+def test_the_reference_has_every_public_name(site: Path, package: str) -> None:
+    text = (site / "reference" / f"{package}.html").read_text(encoding="utf-8")
+    titles = re.findall(r"<h2[^>]*>(.*?)</h2>", text, re.DOTALL)
+    named = {re.sub(r"<[^>]*>|&para;|¶", " ", title).split()[0] for title in titles}
+    assert named == {f"{package}.{name}" for name in import_module(package).__all__}
+
+
+def test_the_reference_has_every_command_and_mechanism(site: Path) -> None:
+    text = (site / "reference" / "commands.html").read_text(encoding="utf-8")
+    commands = entry_points(group="hrg.commands").names
+    assert [name for name in commands if f"usage: hrg {name}" not in text] == []
+    table = (site / "reference" / "mechanisms.html").read_text(encoding="utf-8")
+    source = (ROOT / "modelica" / "HRG" / "UsersGuide" / "Mechanisms.mo").read_text()
+    assert table.count("<tr>") == source.count("<tr>") > 31
+
+
+def test_a_tutorial_is_a_notebook_too(site: Path) -> None:
+    notebook = json.loads((site / "tutorials" / "fly.ipynb").read_text(encoding="utf-8"))
+    code = [cell["source"] for cell in notebook["cells"] if cell["cell_type"] == "code"]
+    assert code[0].startswith('%%writefile my-gyro.toml\nname = "my gyro"')
+    assert code[1].startswith("import ins_eval\n")
+    assert code[-1].startswith("!hrg nav --trajectory car")
+    page = (site / "tutorials" / "fly.html").read_text(encoding="utf-8")
+    assert 'href="fly.ipynb"' in page
 
 
 @pytest.fixture(scope="module")

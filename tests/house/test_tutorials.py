@@ -1,7 +1,10 @@
-"""Every block of every tutorial runs, in the order of its page, in an empty folder."""
+"""Every block of every tutorial and first page runs, in order, in an empty folder."""
 
+import os
 import re
 import shlex
+import subprocess
+import sys
 from pathlib import Path
 
 import matplotlib as mpl
@@ -9,18 +12,27 @@ import pytest
 
 from pyhrg.common.cli import main
 
-TUTORIALS = sorted((Path(__file__).parents[2] / "docs" / "tutorials").glob("[a-z]*.md"))
+DOCS = Path(__file__).parents[2] / "docs"
+PAGES = sorted((*DOCS.glob("tutorials/[a-z]*.md"), *DOCS.glob("start/[a-z]*.md")))
+BLOCK = r"""```(\w+)(?: title="(\S+)")?\n(.*?)```"""
 
 
-@pytest.mark.parametrize("page", TUTORIALS, ids=lambda page: page.stem)
-def test_a_tutorial_runs(
-    page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def run_command(command: str) -> None:
+    """Run one command line: `hrg` within this process, other programs in a shell."""
+    if command.startswith("hrg "):
+        assert main(shlex.split(command)[1:]) == 0
+        return
+    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+    subprocess.run(command, shell=True, check=True, env={**os.environ, "PATH": path})
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_a_tutorial_runs(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A block is a file (its name stands behind the language), commands, or Python."""
     monkeypatch.chdir(tmp_path)
     mpl.use("agg")
     names: dict[str, object] = {}
-    blocks = re.findall(r"```(\w+) ?(\S*)\n(.*?)```", page.read_text(encoding="utf-8"), re.S)
+    blocks = re.findall(BLOCK, page.read_text(encoding="utf-8"), re.S)
     for language, name, text in blocks:
         if name:
             (tmp_path / name).write_text(text, encoding="utf-8")
@@ -28,6 +40,6 @@ def test_a_tutorial_runs(
             exec(compile(text, page.name, "exec"), names)
         else:
             assert language == "console"
-            for command in re.findall(r"^\$ hrg (.*)$", text, re.M):
-                assert main(shlex.split(command)) == 0, capsys.readouterr()
+            for command in re.findall(r"^\$ (.*)$", text, re.M):
+                run_command(command)
     assert len(blocks) > 2

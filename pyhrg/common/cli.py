@@ -5,8 +5,7 @@ import difflib
 import os
 import signal
 import sys
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from functools import partial
 from importlib.metadata import entry_points, version
 from typing import Any, NoReturn, Protocol
@@ -43,6 +42,9 @@ class _Parser(argparse.ArgumentParser):
         super().__init__(*arguments, **options)
         self.register("type", int, partial(_parse_number, int))
         self.register("type", float, partial(_parse_number, float))
+        self.add_argument(
+            "--quiet", action="store_true", default=argparse.SUPPRESS, help="show no progress"
+        )
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         """As of any parser, but an option that is close to a known one is named."""
@@ -113,7 +115,8 @@ def _dispatch(arguments: Sequence[str] | None) -> int:
     )
     parser.add_argument("--version", action="version", version=version("hrg"))
     subparsers = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    asked = (sys.argv[1:] if arguments is None else list(arguments))[:1]
+    given = sys.argv[1:] if arguments is None else arguments
+    asked = [text for text in given if not text.startswith("-")][:1]
     commands: dict[str, Command] = {}
     installed = sorted(entry_points(group="hrg.commands"), key=lambda entry: entry.name)
     # the subcommand that is asked for, alone; all of them where none is
@@ -122,7 +125,7 @@ def _dispatch(arguments: Sequence[str] | None) -> int:
         subparser = subparsers.add_parser(entry.name, help=command.HELP, description=command.HELP)
         if entry.name in asked:
             command.add_options(subparser)
-    options = parser.parse_args(arguments)
+    options = parser.parse_args(arguments, argparse.Namespace(quiet=False))
     commands[options.command].run(options)
     return 0
 
@@ -139,19 +142,3 @@ def refuse(options: argparse.Namespace, names: Sequence[str], reason: str) -> No
     for name in names:
         if getattr(options, name) not in (None, False):
             raise HrgError(f"--{name.replace('_', '-')}: {reason}")
-
-
-@contextmanager
-def progress_bar(title: str, unit: str) -> Iterator[Callable[[int, int], None]]:
-    """A bar on a terminal's stderr, with the time that is left; nothing into a pipe. What it gives
-    is called with the number done and the number of all."""
-    from tqdm import tqdm
-
-    layout = "{desc} {percentage:3.0f}%|{bar}| {n}/{total} " + unit + " [{elapsed}<{remaining}]"
-    with tqdm(desc=title, bar_format=layout, delay=2, file=sys.stderr, disable=None) as bar:
-
-        def update(done: int, total: int) -> None:
-            bar.total = total
-            bar.update(done - bar.n)
-
-        yield update

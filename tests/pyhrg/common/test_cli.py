@@ -119,3 +119,38 @@ def test_quiet_leaves_results_alone(
     written = capsys.readouterr()
     assert written.out == "HRG.fmu\n"
     assert (written.err == "") == ("--quiet" in arguments)
+
+
+@pytest.fixture(scope="module")
+def completion(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The script for bash."""
+    code = "from pyhrg.common.cli import main; main(['--completion', 'bash'])"
+    script = tmp_path_factory.mktemp("completion") / "hrg.bash"
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True)
+    script.write_bytes(run.stdout)
+    return script
+
+
+@pytest.mark.needs("bash")
+@pytest.mark.parametrize(
+    ("words", "completed"),
+    [
+        (["be"], "bench"),
+        (["bench", "full-c"], "full-circumference"),
+        (["bench", "--dev"], "--device"),
+        (["gap", "diagnose", "--bel"], "--belief"),
+        (["validate", "--calibration", "me"], "mean"),
+        (["allan", "rec"], "record.csv"),
+        (["bench", "all", "--campaign", "c"], "campaign"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else value,
+)
+def test_the_shell_completes(
+    completion: Path, words: list[str], completed: str, tmp_path: Path
+) -> None:
+    (tmp_path / "record.csv").touch()
+    (tmp_path / "campaign").mkdir()
+    code = 'source "$0"; COMP_WORDS=(hrg "$@"); COMP_CWORD=$#; _shtab_hrg; echo "${COMPREPLY[@]}"'
+    command = ["bash", "-c", code, str(completion), *words]
+    run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (run.stdout.strip(), run.stderr) == (completed, "")

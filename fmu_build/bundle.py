@@ -5,7 +5,6 @@ import io
 import tempfile
 import zipfile
 from collections.abc import Callable, Mapping, Sequence
-from importlib import resources
 from importlib.metadata import version
 from pathlib import Path
 
@@ -22,6 +21,7 @@ from fmu_build.binaries.platforms import (
     PORTABLE_FLAGS,
     BuildError,
     choose_platforms,
+    find_compiler_version,
     join_universal,
     list_platforms,
 )
@@ -34,6 +34,7 @@ from fmu_build.equations.translate import COMPILER_VERSION, translate
 from fmu_build.roots import ROOTS, Root
 from pyhrg.common.caches.files import find_cache_folder, is_intact, write_digest
 from pyhrg.common.files import write_whole
+from pyhrg.common.made_by import find_modelica
 
 SOURCES = (
     "model.c",
@@ -50,12 +51,17 @@ SHELLS = {2: "fmi2.c", 3: "fmi3.c"}
 ICON = Path(__file__).parent / "archive" / "icon.png"
 """A shell seen from above, at rest and vibrating, among its eight electrodes."""
 
+PREBUILT = Path(__file__).parent / "prebuilt"
+"""Holds FMUs where a wheel is installed, in a folder named by the digest of their sources."""
+PREBUILT_FMI = 2
+"""The version of the standard that `pyhrg.fmu` imports."""
+
 Progress = Callable[[str], None]
 
 
 def find_modelica_library() -> Path:
     """Folder of the Modelica library that this distribution holds."""
-    return Path(str(resources.files("modelica").joinpath("HRG")))
+    return find_modelica() / "HRG"
 
 
 def build_fmu(
@@ -69,13 +75,15 @@ def build_fmu(
 ) -> Path:
     """Path of an FMU of the present sources: from the user's cache, built if it isn't there.
 
+    A wheel holds those of FMI 2.0, for all platforms: no compiler is needed where it is installed.
+
     Args:
         model: a key of `fmu_build.roots.ROOTS`: HRG, HRGCarrier or HRGSlow.
         class_file: a Modelica file that holds one class, named as the file, that is a gyro with
             sampled loops and uses the library HRG; it takes the place of `model`.
         fmi: version of the standard, 2 or 3.
         platforms: keys of `PLATFORMS`; "all" for those that the standard knows; none for this
-            machine's.
+            machine's at least.
         out: file to write; without it, the path is that of the cache.
         progress: is called with each step's name.
 
@@ -90,18 +98,32 @@ def build_fmu(
         for name in sorted(PLATFORMS.keys() - list_platforms(fmi)):
             progress(f"{name} is left out: FMI {fmi}.0 has no folder for it")
         platforms = list_platforms(fmi)
-    platforms = choose_platforms(platforms, fmi)
-    folder = f"{_digest_build(root)[:16]}-fmi{fmi}-{'+'.join(platforms)}"
-    path = find_cache_folder() / folder / f"{root.identifier}.fmu"
-    if is_intact(path):
-        progress("unchanged, from cache")
-    else:
-        write_fmu(path, root, fmi, platforms, progress)
-        write_digest(path)
+    path = _fetch_fmu(root, fmi, platforms, progress)
     if out is None:
         return path
     write_whole(Path(out), path.read_bytes())
     return Path(out)
+
+
+def _fetch_fmu(root: Root, fmi: int, platforms: Sequence[str], progress: Progress) -> Path:
+    """Path of an FMU in the user's cache, taken from the wheel or built if it isn't there."""
+    prebuilt = None if platforms else _find_prebuilt(root, fmi)
+    platforms = choose_platforms(platforms, fmi)
+    if prebuilt:
+        folder = f"{prebuilt.parent.name}-prebuilt"
+    else:
+        folder = f"{_digest_build(root)[:16]}-fmi{fmi}-{'+'.join(platforms)}"
+    path = find_cache_folder() / folder / f"{root.identifier}.fmu"
+    if is_intact(path):
+        progress("unchanged, from cache")
+        return path
+    if prebuilt:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write_whole(path, prebuilt.read_bytes())
+    else:
+        write_fmu(path, root, fmi, platforms, progress)
+    write_digest(path)
+    return path
 
 
 def _find_root(model: str) -> Root:
@@ -123,11 +145,26 @@ def _make_root(file: Path) -> Root:
     )
 
 
+def _find_prebuilt(root: Root, fmi: int) -> Path | None:
+    """The FMU of a model that the installed wheel holds, if it is one of the present sources."""
+    path = PREBUILT / digest_sources()[:16] / f"{root.identifier}.fmu"
+    return path if root.file is None and fmi == PREBUILT_FMI and path.is_file() else None
+
+
+def write_prebuilt(progress: Progress) -> None:
+    """Build the FMUs of all models that a wheel holds."""
+    for root in ROOTS.values():
+        path = PREBUILT / digest_sources()[:16] / f"{root.identifier}.fmu"
+        write_fmu(path, root, PREBUILT_FMI, list_platforms(PREBUILT_FMI), progress)
+
+
 def _digest_build(root: Root) -> str:
-    """Digest of the sources, and of the file of a class that is not the library's."""
-    if root.file is None:
-        return digest_sources()
-    return hashlib.sha256(digest_sources().encode() + root.file.read_bytes()).hexdigest()
+    """Digest of the sources, of the C compiler's version, and of the file of a class that is not
+    the library's."""
+    digest = hashlib.sha256(f"{digest_sources()} {find_compiler_version()}".encode())
+    if root.file is not None:
+        digest.update(root.file.read_bytes())
+    return digest.hexdigest()
 
 
 def write_fmu(
@@ -168,8 +205,8 @@ SUFFIXES = ("py", "css", "png", "txt", "c", "h")
 
 
 def digest_sources() -> str:
-    """Digest of all that determines the FMU: Modelica, generator, C, tools, licence."""
-    tools = f"{COMPILER_VERSION} {version('ziglang')} {version('hrg')} {FLAGS}"
+    """Digest of all that determines the FMU but the C compiler: Modelica, generator, C, licence."""
+    tools = f"{COMPILER_VERSION} {version('hrg')} {FLAGS}"
     digest = hashlib.sha256(f"{tools} {read_licence()}".encode())
     package = Path(__file__).parent
     for root, pattern in (

@@ -2,10 +2,16 @@
 
 import hashlib
 from collections.abc import Callable, Sequence
-from importlib.metadata import version
 from pathlib import Path
 
-from fmu_build.binaries.platforms import FLAGS, UCRT, WINDOWS_RUNTIME, Platform, compile_library
+from fmu_build.binaries.platforms import (
+    FLAGS,
+    UCRT,
+    WINDOWS_RUNTIME,
+    Platform,
+    compile_library,
+    find_compiler_version,
+)
 from pyhrg.common.caches.files import find_cache_folder, read_cached, write_cached
 
 
@@ -21,8 +27,8 @@ def fetch_library(
 ) -> bytes:
     """Shared library of the C sources in a folder, from the user's cache or compiled. What it is
     kept by is a digest of all of them and, where `flags` use them, of the processor's features."""
-    made_of = f"{version('ziglang')} {flags} {processor} {UCRT} {target} {identifier} {sources}"
-    digest = hashlib.sha256(made_of.encode())
+    tools = f"{find_compiler_version()} {flags} {processor} {UCRT}"
+    digest = hashlib.sha256(f"{tools} {target} {identifier} {sources}".encode())
     digest.update(WINDOWS_RUNTIME.read_bytes())
     for file in sorted(folder.glob("*.[ch]")):
         digest.update(f"{file.name}\0".encode() + file.read_bytes())

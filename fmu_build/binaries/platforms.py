@@ -6,12 +6,13 @@ import subprocess
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
+from importlib.metadata import version
 from pathlib import Path
 
 import fmpy
-import ziglang
 
 from pyhrg.common.errors import HrgError
+from pyhrg.common.extras import import_extra
 
 COMPILER = [sys.executable, "-m", "ziglang", "cc"]
 PORTABLE_FLAGS = ["-O2", "-ffp-contract=off", "-fno-math-errno", "-fvisibility=hidden"]
@@ -19,7 +20,8 @@ FLAGS = ["-std=c99", *PORTABLE_FLAGS, "-fno-sanitize=all", "-Wall", "-Wextra"]
 UCRT = ("stdio", "heap", "string", "math", "convert", "private")
 """Parts of Windows' own C runtime that are used."""
 WINDOWS_RUNTIME = Path(__file__).parent / "windows" / "runtime.c"
-WINDOWS_HEADERS = Path(ziglang.__file__).parent / "lib/libc/include/any-windows-any"
+WINDOWS_HEADERS = "lib/libc/include/any-windows-any"
+"""Folder within the C compiler's."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +39,8 @@ class Platform:
         if self.suffix != ".dll":
             return ["-lm"]
         parts = [f"-lapi-ms-win-crt-{part}-l1-1-0" for part in UCRT]
-        return ["-nostdlib", "-isystem", str(WINDOWS_HEADERS), str(WINDOWS_RUNTIME), *parts]
+        headers = Path(import_extra("ziglang").__file__).parent / WINDOWS_HEADERS
+        return ["-nostdlib", "-isystem", str(headers), str(WINDOWS_RUNTIME), *parts]
 
 
 PLATFORMS = {
@@ -54,6 +57,16 @@ PLATFORMS = {
 
 class BuildError(HrgError):
     """The C compiler refused the generated sources, or there is nothing to build for."""
+
+
+def find_compiler_version() -> str:
+    """Version of the C compiler.
+
+    Raises:
+        HrgError: it is not installed.
+    """
+    import_extra("ziglang")
+    return version("ziglang")
 
 
 def find_host_platform() -> str:

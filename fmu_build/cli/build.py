@@ -1,11 +1,11 @@
 """`hrg build`: the FMU as a file."""
 
 import argparse
-import sys
 from pathlib import Path
 
 import fmu_build
 from pyhrg.common.files import check_output_folder
+from pyhrg.common.progress import Progress
 
 HELP = "translate the Modelica gyro and build HRG.fmu"
 
@@ -48,6 +48,6 @@ def run(options: argparse.Namespace) -> None:
         platforms=options.platform,
         class_file=options.class_file,
         out=out,
-        progress=lambda text: print(text, file=sys.stderr),
+        progress=Progress(not options.quiet).say,
     )
     print(out)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import argparse
+import json
 import sys
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,12 +19,20 @@ HELP = "check an FMU by rules of the standard and in other importers"
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("fmu", type=Path, metavar="FILE.fmu", help="FMI 2.0 or 3.0")
+    parser.add_argument(
+        "--json", action="store_true", help="print an object of all checks instead of lines"
+    )
 
 
 def run(options: argparse.Namespace) -> None:
-    report = fmu_build.check_fmu(options.fmu, progress=_print)
-    remark = f"; {_count(report.skipped_count, 'check')} skipped" if report.skipped_count else ""
-    print(f"{_count(report.finding_count, 'finding')} in {report.path}{remark}")
+    if options.json:
+        report = fmu_build.check_fmu(options.fmu)
+        print(json.dumps(asdict(report), indent=1, default=str))
+    else:
+        report = fmu_build.check_fmu(options.fmu, progress=_print)
+        skipped = report.skipped_count
+        remark = f"; {_count(skipped, 'check')} skipped" if skipped else ""
+        print(f"{_count(report.finding_count, 'finding')} in {report.path}{remark}")
     if report.finding_count:
         sys.exit(1)
 

@@ -2,12 +2,11 @@
 
 from pathlib import Path
 
-import rumoca
-
 from fmu_build.equations.case_angle import add_case_angle
 from fmu_build.equations.compiler_document import read_document
 from fmu_build.equations.dae import Dae
 from pyhrg.common.errors import HrgError
+from pyhrg.common.extras import import_extra
 
 COMPILER_VERSION = "0.10.2"
 SCHEMA_VERSION = 43
@@ -17,6 +16,7 @@ def translate(library: Path, model: str, source: str = "", file: Path | None = N
     """Flat equations of a model of a library (the folder of `package.mo`) by its full name, e.g.
     `HRG.Gyroscopes.HRGEnvelope`. A model that is not the library's own but uses it is given as its
     Modelica text, `source`, or as the `file` that holds it."""
+    rumoca = import_extra("rumoca")
     if rumoca.version() != COMPILER_VERSION:
         raise HrgError(
             f"rumoca {rumoca.version()} is installed; expected {COMPILER_VERSION}, "

@@ -79,8 +79,9 @@ def _diagnose_campaign(options: argparse.Namespace) -> None:
     from pyhrg.gap.report.verdict import summarize_diagnosis
 
     bound = Leftover(*options.bound) if options.bound else IMMATERIAL
-    result = pyhrg.diagnose(options.source, bound=bound, progress=True)
-    position = make_section("position", partial(make_position_section, result))
+    result = pyhrg.diagnose(options.source, bound=bound, progress=not options.quiet)
+    section = partial(make_position_section, result, not options.quiet)
+    position = make_section("position", section)
     write_report(result, options.out, [position])
     print(summarize_diagnosis(result))
     _print_place(options.out)
@@ -90,19 +91,21 @@ def _print_place(out: Path) -> None:
     print(f"\nwritten to {out}; to read, open {out / 'report.html'} in a browser")
 
 
-def make_position_section(diagnosis: "CampaignDiagnosis") -> "Section":
+def make_position_section(diagnosis: "CampaignDiagnosis", progress: bool = True) -> "Section":
     """The section on the position error of a diagnosis, in the default missions.
 
     The diagnosis goes through its files, so that `hrg position` on them gives the same bytes.
     """
     with TemporaryDirectory() as folder:
         diagnosis.write(folder)
-        return ins_eval.compute_position_gap(folder, progress=True).section
+        return ins_eval.compute_position_gap(folder, progress=progress).section
 
 
 def _predict(options: argparse.Namespace) -> None:
     from pyhrg.gap.closing.prediction import write_prediction
 
     check_output_folder(options.out.parent)
-    table = pyhrg.predict(options.diagnosis, options.log, options.campaign, progress=True)
+    table = pyhrg.predict(
+        options.diagnosis, options.log, options.campaign, progress=not options.quiet
+    )
     write_prediction(table, options.out)

@@ -7,8 +7,9 @@ from pathlib import Path
 
 import ins_eval
 from ins_eval.cli.place import PLACE, add_place_options
-from pyhrg.common.cli import collect_given, progress_bar, refuse
+from pyhrg.common.cli import collect_given, refuse
 from pyhrg.common.files import check_output_folder
+from pyhrg.common.progress import Progress
 
 HELP = "fly an IMU along a trajectory, and say how far it goes astray"
 OF_SIMULATIONS = ("rate_hz", "seed", "runs")
@@ -57,9 +58,9 @@ def _fly(options: argparse.Namespace) -> ins_eval.Flight:
     arguments = collect_given(options, (*OF_SIMULATIONS, *OF_BOTH))
     if options.start_from_truth:
         arguments["align_s"] = None
-    with progress_bar("navigation", "flights") as progress:
+    with Progress(not options.quiet, "navigation", "flights") as progress:
         return ins_eval.fly(
-            options.trajectory or "car", options.imu, progress=progress, **arguments
+            options.trajectory or "car", options.imu, progress=progress.update, **arguments
         )
 
 

@@ -4,8 +4,9 @@ import argparse
 from pathlib import Path
 
 import ins_eval
-from pyhrg.common.cli import collect_given, progress_bar
+from pyhrg.common.cli import collect_given
 from pyhrg.common.files import check_output_folder
+from pyhrg.common.progress import Progress
 
 HELP = "start level gyros' patterns where their maps say the error is least, and fly the difference"
 
@@ -23,8 +24,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> None:
     check_output_folder(options.out)
     arguments = collect_given(options, ("seed", "hours", "triads", "trajectory"))
-    with progress_bar("flights", "gyro minutes") as progress:
-        comparison = ins_eval.compare_parking(progress=progress, **arguments)
+    with Progress(not options.quiet, "flights", "gyro minutes") as progress:
+        comparison = ins_eval.compare_parking(progress=progress.update, **arguments)
     comparison.write(options.out)
     print(comparison.summary)
     print(f"\nwritten to {options.out}: {', '.join(comparison.files)}")

@@ -23,6 +23,6 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> None:
     check_output_folder(options.diagnosis)
     arguments = collect_given(options, ("missions", "hours", "triads", "seed"))
-    gap = ins_eval.compute_position_gap(options.diagnosis, progress=True, **arguments)
+    gap = ins_eval.compute_position_gap(options.diagnosis, progress=not options.quiet, **arguments)
     gap.write(options.diagnosis)
     print("\n".join(gap.sentences))

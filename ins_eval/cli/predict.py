@@ -1,6 +1,7 @@
 """`hrg predict`: the position error that two bench figures predict, with its interval."""
 
 import argparse
+import json
 from pathlib import Path
 
 import ins_eval
@@ -19,9 +20,14 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add("--calibration", choices=("mean", "map"), help="what the maker calibrates (default mean)")
     add("--study", type=Path, default=Path("hrg-validation"), metavar="DIR", help="folder of a "
         "finished study (default hrg-validation)")  # fmt: skip
+    add("--json", action="store_true", help="print a list of objects instead of sentences")
 
 
 def run(options: argparse.Namespace) -> None:
     given = collect_given(options, ("fixed_deg_h", "circumference_deg_h", "calibration"))
-    for predicted in ins_eval.predict_error(options.study, options.mission, **given):
-        print(predicted)
+    errors = ins_eval.predict_error(options.study, options.mission, **given)
+    if options.json:
+        print(json.dumps([error.document for error in errors], indent=1))
+        return
+    for error in errors:
+        print(error)

@@ -4,9 +4,10 @@ import argparse
 from pathlib import Path
 
 import ins_eval
-from pyhrg.common.cli import collect_given, progress_bar, refuse
+from pyhrg.common.cli import collect_given, refuse
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import check_output_folder
+from pyhrg.common.progress import Progress
 
 HELP = (
     "bench many gyros, fly them in many manoeuvres, and say which bench figure predicts the error"
@@ -47,11 +48,11 @@ def run(options: argparse.Namespace) -> None:
     study = ins_eval.load_study(options.study, options.seed)
     for name in study.left_out:
         print(f"{name} is not here and is left out; HRG_REAL says where recorded drives are")
-    with progress_bar("study", "triads") as progress:
+    with Progress(not options.quiet, "study", "triads") as progress:
         result = ins_eval.run_study(
             study,
             options.out,
-            progress=progress,
+            progress=progress.update,
             **collect_given(options, ("workers", "scheduler")),
         )
     print(result.verdict)
@@ -68,6 +69,6 @@ def _run_challenge(options: argparse.Namespace) -> None:
             "--seed: found none, expected one that nobody else knows: it gives the truth"
         )
     given = collect_given(options, ("seed", "workers", "scheduler"))
-    with progress_bar("study", "triads") as progress:
-        folder = ins_eval.hand_out_challenge(options.out, progress=progress, **given)
+    with Progress(not options.quiet, "study", "triads") as progress:
+        folder = ins_eval.hand_out_challenge(options.out, progress=progress.update, **given)
     print(f"to be given away: {folder}; the truth, not to be given away, is beside it")

@@ -5,8 +5,9 @@ from pathlib import Path
 
 import ins_eval
 from ins_eval.cli.study import add_cluster_options
-from pyhrg.common.cli import collect_given, progress_bar
+from pyhrg.common.cli import collect_given
 from pyhrg.common.files import check_output_folder
+from pyhrg.common.progress import Progress
 
 HELP = "bench gyros, fly triads of them, and say which bench test predicts the position error"
 OPTIONS = ("seed", "hours", "triads", "calibration", "trajectory", "workers", "scheduler")
@@ -27,9 +28,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> None:
     check_output_folder(options.out)
-    with progress_bar("study", "triads") as progress:
+    with Progress(not options.quiet, "study", "triads") as progress:
         result = ins_eval.validate(
-            options.out, progress=progress, **collect_given(options, OPTIONS)
+            options.out, progress=progress.update, **collect_given(options, OPTIONS)
         )
     print(result.summary)
     print(f"\nwritten to {options.out}: {', '.join(result.files)}")

@@ -19,7 +19,7 @@ from ins_eval.position.sentences import write_sentences
 from pyhrg.common.arguments import check_number, check_seed, check_whole_number
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
-from pyhrg.common.progress import Progress, make_progress_reporter
+from pyhrg.common.progress import Progress, Show
 from pyhrg.common.units import HOUR
 from pyhrg.fmu import GyroFmu
 from pyhrg.gap.report.sections import Section
@@ -83,7 +83,7 @@ def compute_position_gap(
     hours: float = 2.0,
     triads: int = 500,
     seed: int = 1,
-    progress: Progress = None,
+    progress: Show = None,
 ) -> PositionGap:
     """How far the nominal device's position is from the identified device's.
 
@@ -112,7 +112,7 @@ def compute_position_gap(
         check_seed(seed),
     )
     gyro = read_diagnosed_gyro(Path(diagnosis))
-    report = make_progress_reporter(progress)
+    report = Progress(progress).say
     fmu = GyroFmu(build_fmu("HRGSlow", progress=report))
     fmu.prepare()
     return PositionGap(**vars(compute_mission_gaps(fmu, gyro, request, report)))

@@ -4,7 +4,6 @@ import difflib
 import math
 import shutil
 from collections.abc import Mapping, Sequence
-from contextlib import closing
 from dataclasses import replace
 from numbers import Integral, Real
 from pathlib import Path
@@ -14,7 +13,7 @@ import pandas as pd
 from pyhrg.bench import catalogue
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import Procedure
-from pyhrg.bench.reporting.progress import Progress, Show
+from pyhrg.bench.reporting.progress import BenchProgress
 from pyhrg.bench.reporting.result import (
     PAGE,
     RESULT,
@@ -29,6 +28,7 @@ from pyhrg.bench.store import Store
 from pyhrg.common.arguments import check_seed, choose_workers
 from pyhrg.common.errors import HrgError, quote
 from pyhrg.common.made_by import check_identity
+from pyhrg.common.progress import Show
 from pyhrg.device.device import Device
 from pyhrg.records.campaign import Campaign
 
@@ -127,7 +127,7 @@ def run_tests(
     folder = None if out is None else Path(out)
     if folder is not None:
         _check_places(folder, procedures)
-    with closing(Progress(progress)) as counter:
+    with BenchProgress(progress) as counter:
         if campaign is not None:
             source = open_records(campaign, procedures)
         else:
@@ -171,7 +171,7 @@ def describe_readiness(campaign: Campaign) -> str:
 
 
 def _attempt(
-    source: Source, procedure: Procedure, out: Path | None, progress: Progress
+    source: Source, procedure: Procedure, out: Path | None, progress: BenchProgress
 ) -> TestResult | TestFailure:
     """Result of one of the tests, written where there is an output folder."""
     progress.begin(procedure.name)

@@ -12,7 +12,7 @@ from fmu_build.bundle import build_fmu
 from pyhrg.bench.bench import NAMELESS, Bench
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import Procedure
-from pyhrg.bench.reporting.progress import Progress
+from pyhrg.bench.reporting.progress import BenchProgress
 from pyhrg.bench.store import Store
 from pyhrg.common.arguments import choose_workers
 from pyhrg.common.errors import HrgError
@@ -71,7 +71,7 @@ def prepare_simulation(
     seed: int,
     workers: int | None,
     store: Store | None,
-    progress: Progress,
+    progress: BenchProgress,
     plan: Mapping[str, float],
 ) -> Source:
     """A source that simulates a gyro on the virtual bench.

@@ -23,6 +23,7 @@ from pyhrg.challenge.truths.truth import DETECTION_SIGMAS
 from pyhrg.challenge.work import share_work
 from pyhrg.common.arguments import check_seed, check_whole_number, choose_workers
 from pyhrg.common.errors import HrgError
+from pyhrg.common.extras import require_extra
 from pyhrg.common.files import replace_folder, write_whole
 from pyhrg.common.toml_table import read_json_table
 from pyhrg.fmu import GyroError
@@ -53,6 +54,7 @@ class Challenge:
     def run(self, workers: int, others: Sequence[Folder] = ()) -> Score:
         """Do the remaining work and score it, together with others that are finished; the same
         bytes on any number of workers."""
+        require_extra("build")
         known = self._read_others(others)
         cases = self.settings.cases()
         self.folder.begin(self.settings)

@@ -1,17 +1,15 @@
 """Work on the cases of a challenge, shared among processes."""
 
 import multiprocessing
-import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from typing import TypeVar
 
-from tqdm import tqdm
-
 from pyhrg.challenge.case import Case
 from pyhrg.challenge.truths.seal import ChallengeError
+from pyhrg.common.progress import Progress
 
 Result = TypeVar("Result")
 Work = Callable[[Case], Result]
@@ -69,8 +67,10 @@ def _results(
 
 def _collect(title: str, results: Iterable[Result], count: int, progress: bool) -> list[Result]:
     """All results; with progress, a bar on a terminal, and a line that stays when all are done."""
-    hidden = None if count and progress else True
-    done = list(tqdm(results, title, count, leave=False, disable=hidden))
-    if count and progress:
-        print(f"{title}: {count} campaign{'' if count == 1 else 's'}", file=sys.stderr)
+    done: list[Result] = []
+    with Progress(progress and count > 0, title, "campaigns") as bar:
+        for result in results:
+            done.append(result)
+            bar.update(len(done), count)
+        bar.say(f"{title}: {count} campaign{'' if count == 1 else 's'}")
     return done

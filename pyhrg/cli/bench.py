@@ -84,7 +84,7 @@ def run(options: argparse.Namespace) -> None:
         workers=options.workers,
         out=options.out,
         force=options.force,
-        progress=True,
+        progress=not options.quiet,
         **plan,
     )
     print(results)

@@ -71,6 +71,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> None:
     check_output_folder(options.out)
     arguments = collect_given(options, ARGUMENTS)
-    score = pyhrg.run_challenge(options.out, others=options.others, progress=True, **arguments)
+    score = pyhrg.run_challenge(
+        options.out, others=options.others, progress=not options.quiet, **arguments
+    )
     print(score.summary)
     print(f"\nwritten to {options.out / 'score.json'}")

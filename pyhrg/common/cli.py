@@ -5,10 +5,10 @@ import difflib
 import os
 import signal
 import sys
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Collection, Mapping, Sequence
 from functools import partial
-from importlib.metadata import entry_points, version
+from importlib.metadata import EntryPoint, entry_points, version
+from pathlib import Path
 from typing import Any, NoReturn, Protocol
 
 from pyhrg.common.errors import HrgError, fold_line
@@ -43,6 +43,9 @@ class _Parser(argparse.ArgumentParser):
         super().__init__(*arguments, **options)
         self.register("type", int, partial(_parse_number, int))
         self.register("type", float, partial(_parse_number, float))
+        self.add_argument(
+            "--quiet", action="store_true", default=argparse.SUPPRESS, help="show no progress"
+        )
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         """As of any parser, but an option that is close to a known one is named."""
@@ -104,25 +107,69 @@ def _report_errors(arguments: Sequence[str] | None) -> int:
         sys.stdout.flush()
 
 
-def _dispatch(arguments: Sequence[str] | None) -> int:
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
-    for variable in SINGLE_THREAD:  # before a subcommand imports numpy
-        os.environ.setdefault(variable, "1")
+def _find_commands() -> dict[str, EntryPoint]:
+    installed = sorted(entry_points(group="hrg.commands"), key=lambda entry: entry.name)
+    return {entry.name: entry for entry in installed}
+
+
+def _make_parser(commands: Mapping[str, Command], asked: Collection[str]) -> _Parser:
+    """The parser of `hrg` with these subcommands, and with the options of those that are asked."""
     parser = _Parser(
         prog="hrg", description="Whole-angle hemispherical resonator gyro: model, bench, navigation"
     )
     parser.add_argument("--version", action="version", version=version("hrg"))
+    parser.add_argument(
+        "--completion",
+        action=_Completion,
+        choices=("bash", "zsh"),
+        help="print the shell's script that completes commands and options, and exit",
+    )
     subparsers = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    asked = (sys.argv[1:] if arguments is None else list(arguments))[:1]
-    commands: dict[str, Command] = {}
-    installed = sorted(entry_points(group="hrg.commands"), key=lambda entry: entry.name)
-    # the subcommand that is asked for, alone; all of them where none is
-    for entry in [entry for entry in installed if entry.name in asked] or installed:
-        command = commands[entry.name] = entry.load()
-        subparser = subparsers.add_parser(entry.name, help=command.HELP, description=command.HELP)
-        if entry.name in asked:
+    for name, command in commands.items():
+        subparser = subparsers.add_parser(name, help=command.HELP, description=command.HELP)
+        if name in asked:
             command.add_options(subparser)
-    options = parser.parse_args(arguments)
+    return parser
+
+
+class _Completion(argparse.Action):
+    """Prints a shell's script, from the options of all subcommands."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *values: Any) -> NoReturn:
+        import shtab
+
+        commands = {name: entry.load() for name, entry in _find_commands().items()}
+        whole = _make_parser(commands, commands)
+        _mark_files(whole)
+        print(shtab.complete(whole, values[1]))
+        parser.exit()
+
+
+def _mark_files(parser: argparse.ArgumentParser) -> None:
+    """Tell shtab which arguments are files or folders."""
+    import shtab
+
+    for action in parser._actions:
+        if isinstance(action.choices, Mapping):  # subcommands
+            for subparser in action.choices.values():
+                _mark_files(subparser)
+        elif action.type is Path:
+            is_folder = action.metavar == "DIR"
+            action.complete = shtab.DIRECTORY if is_folder else shtab.FILE  # type: ignore[attr-defined]
+
+
+def _dispatch(arguments: Sequence[str] | None) -> int:
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    for variable in SINGLE_THREAD:  # before a subcommand imports numpy
+        os.environ.setdefault(variable, "1")
+    given = sys.argv[1:] if arguments is None else arguments
+    asked = [text for text in given if not text.startswith("-")][:1]
+    installed = _find_commands()
+    # the subcommand that is asked for, alone; all of them where none is
+    chosen = {name: entry for name, entry in installed.items() if name in asked} or installed
+    commands: dict[str, Command] = {name: entry.load() for name, entry in chosen.items()}
+    parser = _make_parser(commands, asked)
+    options = parser.parse_args(arguments, argparse.Namespace(quiet=False))
     commands[options.command].run(options)
     return 0
 
@@ -139,19 +186,3 @@ def refuse(options: argparse.Namespace, names: Sequence[str], reason: str) -> No
     for name in names:
         if getattr(options, name) not in (None, False):
             raise HrgError(f"--{name.replace('_', '-')}: {reason}")
-
-
-@contextmanager
-def progress_bar(title: str, unit: str) -> Iterator[Callable[[int, int], None]]:
-    """A bar on a terminal's stderr, with the time that is left; nothing into a pipe. What it gives
-    is called with the number done and the number of all."""
-    from tqdm import tqdm
-
-    layout = "{desc} {percentage:3.0f}%|{bar}| {n}/{total} " + unit + " [{elapsed}<{remaining}]"
-    with tqdm(desc=title, bar_format=layout, delay=2, file=sys.stderr, disable=None) as bar:
-
-        def update(done: int, total: int) -> None:
-            bar.total = total
-            bar.update(done - bar.n)
-
-        yield update

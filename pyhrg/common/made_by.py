@@ -4,14 +4,15 @@ import hashlib
 from collections.abc import Mapping
 from functools import cache
 from importlib.metadata import version
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 from pyhrg.common.errors import HrgError
 from pyhrg.common.reading.documents import read_json
 
-PACKAGES = ("fmu_build", "pyhrg", "ins_eval", "modelica")
+PACKAGES = ("fmu_build", "pyhrg", "ins_eval")
+INSTALLED = Path(__file__).parents[2]
+"""Folder of the packages."""
 SOURCES = frozenset((".py", ".mo", ".c", ".h", ".toml"))
 LIBRARIES = ("numpy", "scipy", "numba", "pyarrow")
 """Libraries whose versions may change the last bits of a result."""
@@ -60,15 +61,21 @@ def find_difference(found: Any, expected: Any, key: str = "") -> tuple[str, Any,
     return next((d for d in differences if d is not None), None)
 
 
+def find_modelica() -> Path:
+    """Folder `modelica`: at the top of a checkout; in an installed wheel, data of `fmu_build`."""
+    packed = INSTALLED / "fmu_build" / "modelica"
+    return packed if packed.is_dir() else INSTALLED / "modelica"
+
+
 def _digest_code() -> str:
-    digest = hashlib.sha256()
-    for package in PACKAGES:
-        spec = find_spec(package)
-        assert spec is not None
-        assert spec.submodule_search_locations is not None
-        root = Path(next(iter(spec.submodule_search_locations)))
-        for file in sorted(root.rglob("*")):
+    """Digest of the sources; a wheel and the checkout that it was made of have the same."""
+    names: dict[Path, str] = {}
+    for root in (find_modelica(), *(INSTALLED / package for package in PACKAGES)):
+        for file in root.rglob("*"):
             if file.suffix in SOURCES:
-                digest.update(file.relative_to(root.parent).as_posix().encode())
-                digest.update(file.read_bytes())
+                names.setdefault(file, file.relative_to(root.parent).as_posix())
+    digest = hashlib.sha256()
+    for file, name in sorted(names.items(), key=lambda item: item[1]):
+        digest.update(name.encode())
+        digest.update(file.read_bytes())
     return digest.hexdigest()[:32]

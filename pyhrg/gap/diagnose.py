@@ -10,8 +10,9 @@ import pandas as pd
 from matplotlib.axes import Axes
 
 from pyhrg.common.errors import HrgError
+from pyhrg.common.extras import require_extra
 from pyhrg.common.files import stage_files
-from pyhrg.common.progress import Progress, make_progress_reporter
+from pyhrg.common.progress import Progress, Show
 from pyhrg.common.units import ARCSEC
 from pyhrg.device import device_file
 from pyhrg.device.device import Device
@@ -168,7 +169,7 @@ def diagnose(
     catalogue: Catalogue = FULL_CATALOGUE,
     bound: Leftover = IMMATERIAL,
     simulation: Simulation | None = None,
-    progress: Progress = None,
+    progress: Show = None,
 ) -> CampaignDiagnosis:
     """Diagnose a campaign: find what makes the gap between its records and the simulation.
 
@@ -182,9 +183,11 @@ def diagnose(
     Raises:
         CampaignError, LogError: no test of the folder can be used, or a log can't be.
         GyroError: the nominal values are none that the FMU takes.
-        HrgError: the nominal values are no gyro's, the FMUs can't be built, a bound is no size.
+        HrgError: the nominal values are no gyro's; the FMUs can't be built, or what builds them is
+            not installed; a bound is no size.
     """
-    report = make_progress_reporter(progress)
+    report = Progress(progress).say
+    require_extra("build")  # closed.fmu is built, and an FMU for each set of terms
     if not all(0 <= limit < math.inf for limit in asdict(bound).values()):
         raise HrgError(f"bound: found {bound}, expected numbers from 0 on")
     if not isinstance(campaign, Campaign):

@@ -12,6 +12,7 @@ from ins_eval.study.run.workers import connect, run_blocks
 from ins_eval.study.specification import Study
 from pyhrg.common.arguments import check_whole_number
 from pyhrg.common.errors import HrgError
+from pyhrg.common.extras import require_extra
 from pyhrg.common.files import stage_files
 
 MOST_WORKERS = 10_000
@@ -73,7 +74,8 @@ def run_experiment(
         progress: is called whenever triads are finished, and once at the beginning.
 
     Raises:
-        HrgError: the folder of another study; workers or scheduler that are lost for good.
+        HrgError: the folder of another study; workers or scheduler that are lost for good; Dask is
+            not installed.
         OSError: `out` can't be written.
     """
     with claim_folder(out, identify_study(study)) as kept:
@@ -109,6 +111,7 @@ def _run_blocks(
 
     report()
     if unfinished:
+        require_extra("cluster")
         experiment.prepare(study)
         work = BlockWork(study, kept.identity, experiment.compute)
         with connect(cluster.scheduler, cluster.workers) as client:

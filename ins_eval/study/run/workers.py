@@ -1,5 +1,7 @@
 """Distributes blocks over Dask workers of this machine or of any cluster."""
 
+from __future__ import annotations
+
 import logging
 import re
 from collections.abc import Callable, Iterator, Sequence
@@ -8,13 +10,14 @@ from contextlib import contextmanager
 from queue import Empty, SimpleQueue
 from signal import SIGINT, SIGTERM, signal
 from threading import Event, current_thread, main_thread
-from typing import Any
-
-import dask
-from distributed import Client, Future, KilledWorker, LocalCluster
+from typing import TYPE_CHECKING, Any
 
 from pyhrg.common.arguments import count_cores
 from pyhrg.common.errors import HrgError
+from pyhrg.common.extras import import_extra
+
+if TYPE_CHECKING:
+    from distributed import Client, Future
 
 ADDRESS = r"(tcp|tls)://\S+:\d+"
 POLL_INTERVAL = 0.2
@@ -37,8 +40,9 @@ def connect(scheduler: str | None, workers: int | None) -> Iterator[Client]:
         workers: number of these processes; None for the number of cores of this process.
 
     Raises:
-        HrgError: the address is none, or no scheduler answers there.
+        HrgError: the address is none, or no scheduler answers there; Dask is not installed.
     """
+    dask, distributed = import_extra("dask"), import_extra("distributed")
     if scheduler is None:
         options = {
             "n_workers": workers or count_cores(),
@@ -49,15 +53,15 @@ def connect(scheduler: str | None, workers: int | None) -> Iterator[Client]:
         }
         with (
             dask.config.set(NO_PREFETCH),
-            LocalCluster(**options) as local,
-            Client(local, set_as_default=False) as client,
+            distributed.LocalCluster(**options) as local,
+            distributed.Client(local, set_as_default=False) as client,
         ):
             yield client
         return
     if not re.fullmatch(ADDRESS, scheduler):
         raise HrgError(f"{scheduler}: found no address, expected tcp://HOST:PORT")
     try:
-        client = Client(scheduler, timeout=ARRIVAL_TIMEOUT, set_as_default=False)
+        client = distributed.Client(scheduler, timeout=ARRIVAL_TIMEOUT, set_as_default=False)
     except OSError as error:
         raise HrgError(f"{scheduler}: found no scheduler, expected one: {error}") from error
     with client:
@@ -82,6 +86,7 @@ def run_blocks(
         HrgError: a block kills its workers; the scheduler is gone.
         KeyboardInterrupt: interrupted by a signal.
     """
+    killed = import_extra("distributed").KilledWorker
     keys = [f"{name}-{number}" for number in numbers]
     number_of: dict[Any, int] = dict(zip(keys, numbers, strict=True))
     futures = client.map(work, numbers, key=keys, retries=0)
@@ -90,7 +95,7 @@ def run_blocks(
             number = number_of[future.key]
             try:
                 file = _wait_for_result(future, interrupted)
-            except KilledWorker as error:
+            except killed as error:
                 raise HrgError(f"block {number}: found its workers killed: {error}") from error
             except CancelledError as error:
                 raise HrgError(

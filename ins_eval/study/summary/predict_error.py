@@ -1,7 +1,7 @@
 """Predicted position error from two bench figures, by the constants of a finished study."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import numpy as np
@@ -46,6 +46,14 @@ class PredictedError:
     spearman: float
     smallest: float
     largest: float
+
+    @property
+    def document(self) -> dict[str, str | float]:
+        """All fields as JSON values, with the unit in the name."""
+        units = dict.fromkeys(("stability", "smallest", "largest"), "deg_h")
+        units |= dict.fromkeys(("rule", "median", "low", "high"), "m")
+        named = {f"{name}_{unit}": getattr(self, name) for name, unit in units.items()}
+        return {n: v for n, v in asdict(self).items() if n not in units} | named
 
     def __str__(self) -> str:
         ends = {name: format_number(getattr(self, name), 2) for name in ("smallest", "largest")}

@@ -7,7 +7,7 @@ import pandas as pd
 
 from pyhrg import records
 from pyhrg.common.files import write_whole
-from pyhrg.common.progress import Progress, make_progress_reporter
+from pyhrg.common.progress import Progress, Show
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
 from pyhrg.gap.closing.closing import read_identified_device
@@ -40,7 +40,7 @@ def predict(
     campaign: Campaign | Path | str,
     *,
     simulation: Simulation | None = None,
-    progress: Progress = None,
+    progress: Show = None,
 ) -> pd.DataFrame:
     """Predict the output angle that the closed simulation gives to the inputs of a log.
 
@@ -66,7 +66,7 @@ def predict(
         GyroError: the FMU refuses the identified device.
         HrgError: the nominal values are no gyro's, or the FMU with terms can't be built.
     """
-    report = make_progress_reporter(progress)
+    report = Progress(progress).say
     campaign = (
         campaign if isinstance(campaign, Campaign) else campaigns.read_campaign(Path(campaign))
     )

@@ -1,5 +1,6 @@
 """`hrg check`: no finding in our FMUs; what fails or differs is one, what is missing is skipped."""
 
+import json
 import os
 import re
 import subprocess
@@ -21,8 +22,8 @@ from fmu_build.roots import ROOTS
 from tests.fmu_build.check.tampering import damaged, description, removed, tampered
 
 
-def checked(path: Path, **environment: str) -> subprocess.CompletedProcess[str]:
-    command = [str(Path(sys.executable).parent / "hrg"), "check", str(path)]
+def checked(path: Path, *options: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    command = [str(Path(sys.executable).parent / "hrg"), "check", str(path), *options]
     return subprocess.run(
         command, capture_output=True, text=True, check=False, env={**os.environ, **environment}
     )
@@ -73,6 +74,15 @@ def test_a_finding_gives_status_1(tmp_path: Path) -> None:
     run = checked(copy)
     assert run.returncode == 1
     assert "FOUND the default experiment can be run\n      stepSize is 0" in run.stdout
+
+
+def test_a_program_reads_the_findings(tmp_path: Path) -> None:
+    copy = tampered(build_fmu(), tmp_path, description('stepSize="[^"]*"', 'stepSize="0"'))
+    run = checked(copy, "--json")
+    assert run.returncode == 1
+    read = json.loads(run.stdout)
+    found = {check["name"]: check["findings"] for check in read["checks"] if check["findings"]}
+    assert found["the default experiment can be run"][0].startswith("stepSize is 0")
 
 
 def test_unusable_input_gives_status_2(tmp_path: Path) -> None:

@@ -65,7 +65,7 @@ def test_the_truth_is_never_read(folder: Path, tmp_path: Path) -> None:
 def test_a_diagnosis_survives_a_section_that_fails(
     folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def fail(_: object) -> None:
+    def fail(*_: object) -> None:
         raise ValueError("no mission")
 
     monkeypatch.setattr(gap, "make_position_section", fail)

@@ -3,13 +3,12 @@
 import re
 import subprocess
 import sys
-import time
 from pathlib import Path
 from unittest.mock import Mock
 
 import pytest
 
-from pyhrg.common.cli import main, progress_bar
+from pyhrg.common.cli import main
 
 HEAVY = ("dask", "fmpy", "matplotlib", "numba", "numpy", "pandas", "scipy", "xarray")
 CODE = """
@@ -18,7 +17,7 @@ import sys
 print(sorted(set(sys.modules) & set({heavy!r})))
 """
 HELP = """
-from pyhrg.common.cli import main, progress_bar
+from pyhrg.common.cli import main
 try:
     main(["--help"])
 except SystemExit:
@@ -100,9 +99,58 @@ def test_an_interruption_is_said(
     assert capsys.readouterr().err == said
 
 
-def test_no_bar_goes_into_a_pipe(capsys: pytest.CaptureFixture[str]) -> None:
-    with progress_bar("flights", "runs") as progress:
-        for done in range(3):
-            progress(done, 2)
-            time.sleep(1.1)
-    assert capsys.readouterr().err == ""
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["--quiet", "build", "--out", "HRG.fmu"],
+        ["build", "--quiet", "--out", "HRG.fmu"],
+        ["build", "--out", "HRG.fmu"],
+    ],
+    ids=lambda arguments: arguments[0],
+)
+def test_quiet_leaves_results_alone(
+    arguments: list[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(arguments) == 0
+    written = capsys.readouterr()
+    assert written.out == "HRG.fmu\n"
+    assert (written.err == "") == ("--quiet" in arguments)
+
+
+@pytest.fixture(scope="module")
+def completion(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The script for bash."""
+    code = "from pyhrg.common.cli import main; main(['--completion', 'bash'])"
+    script = tmp_path_factory.mktemp("completion") / "hrg.bash"
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True)
+    script.write_bytes(run.stdout)
+    return script
+
+
+@pytest.mark.needs("bash")
+@pytest.mark.parametrize(
+    ("words", "completed"),
+    [
+        (["be"], "bench"),
+        (["bench", "full-c"], "full-circumference"),
+        (["bench", "--dev"], "--device"),
+        (["gap", "diagnose", "--bel"], "--belief"),
+        (["validate", "--calibration", "me"], "mean"),
+        (["allan", "rec"], "record.csv"),
+        (["bench", "all", "--campaign", "c"], "campaign"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else value,
+)
+def test_the_shell_completes(
+    completion: Path, words: list[str], completed: str, tmp_path: Path
+) -> None:
+    (tmp_path / "record.csv").touch()
+    (tmp_path / "campaign").mkdir()
+    code = 'source "$0"; COMP_WORDS=(hrg "$@"); COMP_CWORD=$#; _shtab_hrg; echo "${COMPREPLY[@]}"'
+    command = ["bash", "-c", code, str(completion), *words]
+    run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (run.stdout.strip(), run.stderr) == (completed, "")

@@ -53,6 +53,18 @@ def test_command_prints_a_line_for_each_figure(
     assert line.startswith("fixed position, 0.001 deg/h: ")
 
 
+def test_a_program_reads_the_same_figures(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    parser = argparse.ArgumentParser()
+    predict.add_options(parser)
+    given = ["ship", "--circumference", "0.02", "--json", "--study", str(folder)]
+    predict.run(parser.parse_args(given))
+    (read,) = json.loads(capsys.readouterr().out)
+    (error,) = predict_error(folder, "ship", circumference_deg_h=0.02)
+    assert (read["stability_deg_h"], read["median_m"]) == (error.stability, error.median)
+    assert (read["test"], read["hours"]) == ("full circumference", 2)
+    assert len(read) == 12
+
+
 @pytest.mark.parametrize(
     ("mission", "figures", "message"),
     [

@@ -1,5 +1,6 @@
 """A log's file as a table of numbers: CSV, gzipped or not, every field checked."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -17,6 +18,8 @@ Numbers = tuple[NDArray[np.int64], dict[str, Array]]
 
 MAX_STRETCHES_NAMED = 8
 """Largest number of stretches of rows that a message names one by one. Chosen."""
+ABSENT_COLUMN = "no column "
+"""Beginning of a sentence on a column that a log does not have."""
 
 
 @dataclass(frozen=True)
@@ -81,9 +84,17 @@ def read_table(path: Path) -> Table:
             columns[column.field] = column.factor * values[column.name] + column.offset
     names = [column.name for column in COLUMNS]
     expected = [column.name for column in COLUMNS if not column.optional]
-    notes = [f"no column {name}" for name in expected if name not in header]
+    notes = [f"{ABSENT_COLUMN}{name}" for name in expected if name not in header]
     notes += [f"column {name}: not known, ignored" for name in header if name not in names]
     return Table(path.name, rows, columns, tuple(notes))
+
+
+def fold_absent_columns(notes: Sequence[str]) -> list[str]:
+    """The notes on a log, with one sentence on all columns that are not there."""
+    absent = [note for note in notes if note.startswith(ABSENT_COLUMN)]
+    others = [note for note in notes if not note.startswith(ABSENT_COLUMN)]
+    names = ", ".join(note.removeprefix(ABSENT_COLUMN) for note in absent)
+    return [ABSENT_COLUMN + names, *others] if absent else others
 
 
 def read_text(path: Path, encoding: str = "utf-8-sig") -> str:

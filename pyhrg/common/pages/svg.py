@@ -15,6 +15,9 @@ LEFT, RIGHT, TOP, BOTTOM = 74, 400, 10, 328
 """Size of a panel and the edges of the plot in it, user units."""
 GRID_DIVISIONS = 2
 """Points lie on a grid of this many divisions of a user unit."""
+MIN_WIDTH = 1e-12
+"""Width of an interval over its largest end below which it is rounding: that of sums of thousands
+of doubles."""
 
 
 @dataclass(frozen=True)
@@ -134,11 +137,12 @@ def format_number(value: float, digits: int = 3) -> str:
 
 def format_estimate(value: float, low: float, high: float) -> tuple[str, str, str]:
     """Format a number and the ends of its interval to two digits of the interval's width, such as
-    0.965, 0.918 and 0.983; with three digits each where there is no interval."""
+    0.965, 0.918 and 0.983; with three digits each where there is no interval, or one so narrow that
+    it is the arithmetic's rounding."""
     width = high - low
-    if not (math.isfinite(width) and math.isfinite(value) and width > 0):
-        return format_number(value), format_number(low), format_number(high)
     largest = max(abs(value), abs(low), abs(high))
+    if not (math.isfinite(width) and math.isfinite(value) and width > MIN_WIDTH * largest):
+        return format_number(value), format_number(low), format_number(high)
     if 1e-4 <= largest < 1e6:
         decimals = max(1 - math.floor(math.log10(width)), 0)
         rounded = (round(number, decimals) + 0.0 for number in (value, low, high))

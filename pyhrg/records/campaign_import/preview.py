@@ -10,9 +10,7 @@ from pyhrg.records.campaign_import.column_mapping import ColumnMapping
 from pyhrg.records.campaign_import.mapping import CampaignMapping, TestMapping
 from pyhrg.records.columns import BY_FIELD
 from pyhrg.records.log import Log
-
-ABSENT_COLUMN = "no column "
-"""Beginning of a sentence on a column that a log does not have."""
+from pyhrg.records.table import fold_absent_columns
 
 
 @dataclass(frozen=True)
@@ -51,15 +49,7 @@ def _describe_test(test: ImportedTest) -> list[str]:
         lines.append("  time               counted")
     by_field = sorted(mapping.columns.items(), key=lambda item: list(BY_FIELD).index(item[0]))
     lines += [_describe_column(column, log) for _, column in by_field]
-    return [*lines, *(f"  note: {note}" for note in _describe_exclusions(test.read.exclusions))]
-
-
-def _describe_exclusions(exclusions: Sequence[str]) -> list[str]:
-    """The exclusions, with one sentence on all columns that are not there."""
-    absent = [note for note in exclusions if note.startswith(ABSENT_COLUMN)]
-    others = [note for note in exclusions if not note.startswith(ABSENT_COLUMN)]
-    names = ", ".join(note.removeprefix(ABSENT_COLUMN) for note in absent)
-    return [ABSENT_COLUMN + names, *others] if absent else others
+    return [*lines, *(f"  note: {note}" for note in fold_absent_columns(test.read.exclusions))]
 
 
 def _describe_column(mapping: ColumnMapping, log: Log) -> str:

@@ -10,7 +10,7 @@ import pytest
 
 from pyhrg.common.errors import HrgError
 from pyhrg.records import read_log, write_log
-from pyhrg.records.table import describe_rows
+from pyhrg.records.table import describe_rows, fold_absent_columns
 from tests.pyhrg.records.made_up import Rows, made_up_log, place, spoilt
 
 GYRO = place("gyro_angle_deg")
@@ -121,3 +121,8 @@ def test_many_rows_are_only_counted() -> None:
         describe_rows(np.arange(2, 42, 2))
         == "rows 2, 4, 6, 8, 10, 12, 14, 16 and more, 20 rows in all"
     )
+
+
+def test_one_sentence_tells_all_absent_columns() -> None:
+    notes = ("no column valid", "column x: not known, ignored", "no column amplitude")
+    assert fold_absent_columns(notes) == ["no column valid, amplitude", notes[1]]

@@ -16,12 +16,14 @@ from pyhrg.gap.static_record.document import build_document, round_digits
 from pyhrg.gap.static_record.fit.diagnosis import ChannelDiagnosis
 from pyhrg.gap.static_record.report.figures import draw_allan_deviation, draw_spectrum
 from pyhrg.gap.static_record.result import RecordDiagnosis, locate_excess
+from pyhrg.records.table import fold_absent_columns
 
 RESULT, PAGE, CLOSED = "diagnosis.json", "report.html", "closed.toml"
 STYLE = (
     "td,th{text-align:left}svg text{fill:#000}"
     ".panels{grid-template-columns:repeat(auto-fill,minmax(min(100%,28rem),1fr))}"
 )
+
 VERDICT_SENTENCES = {
     "no_gap": "No gap: the noise agrees with the belief.",
     "explained": "A noise term exceeds the belief, and it is identified.",
@@ -70,7 +72,10 @@ def build_page(result: RecordDiagnosis) -> str:
         make_paragraph(VERDICT_SENTENCES[result.verdict]),
         _build_overview(result),
         *(_build_section(d, shared) for d, shared in pairs),
-        *(make_paragraph(f"Left out: {note}", "weak") for note in result.notes),
+        *(
+            make_paragraph(f"Left out: {note}", "weak")
+            for note in fold_absent_columns(result.notes)
+        ),
     ]
     return make_document(title, STYLE, "".join(body), "")
 

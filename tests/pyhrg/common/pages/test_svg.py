@@ -70,6 +70,7 @@ def test_numbers_are_told_in_three_digits(value: float, text: str) -> None:
         ((2.68888e-6, 2.68798e-6, 2.68978e-6), ("2.68888e−06", "2.68798e−06", "2.68978e−06")),
         ((0.5, 0.5, 0.5), ("0.5", "0.5", "0.5")),
         ((0.5, np.nan, np.nan), ("0.5", "–", "–")),
+        ((0.18 / 7, 0.18 / 7 - 1e-17, 0.18 / 7 + 1e-17), ("0.0257", "0.0257", "0.0257")),
     ],
 )
 def test_estimates_have_two_digits_of_their_interval(

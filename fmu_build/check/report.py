@@ -24,7 +24,7 @@ from fmu_build.check.rules import (  # noqa: F401 (modules of rules register the
 )
 from fmu_build.check.rules.archive import INTACT
 from fmu_build.check.rules.rule import RULES, Rule
-from pyhrg.common.errors import HrgError
+from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.reading.failures import refuse_unreadable
 
 
@@ -47,6 +47,8 @@ class FmuReport:
 
     path: Path
     checks: tuple[Check, ...]
+
+    __repr__ = describe_briefly
 
     @property
     def finding_count(self) -> int:

@@ -6,6 +6,7 @@ import numpy as np
 
 from ins_eval.common import earth
 from pyhrg.common.arrays import Array
+from pyhrg.common.errors import describe_briefly
 
 
 @dataclass(frozen=True)
@@ -46,6 +47,8 @@ class Track:
     position: Array
     velocity: Array
     mat_nb: Array
+
+    __repr__ = describe_briefly
 
     def __len__(self) -> int:
         return len(self.time)

@@ -16,6 +16,7 @@ from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.flights.report import describe_alignment
 from ins_eval.results.png import save_png
 from pyhrg.common.arrays import Array
+from pyhrg.common.errors import describe_briefly
 from pyhrg.common.files import stage_files
 from pyhrg.common.made_by import list_versions
 from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
@@ -54,6 +55,8 @@ class AlignedRecord:
     errors: SensorErrors
     prior: str
     noise: MeasuredNoise | None = None
+
+    __repr__ = describe_briefly
 
     @property
     def summary(self) -> str:

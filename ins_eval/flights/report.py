@@ -23,7 +23,7 @@ from ins_eval.results.growth_figure import draw_growth
 from ins_eval.results.map_figure import draw_map
 from ins_eval.results.png import save_png
 from pyhrg.common.arrays import Array
-from pyhrg.common.errors import HrgError
+from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.files import stage_files
 from pyhrg.common.made_by import list_versions
 
@@ -54,6 +54,8 @@ class Flight:
     budget: Budget | None = None
     sigma_budget: pd.DataFrame | None = None
     imu_digest: str = ""
+
+    __repr__ = describe_briefly
 
     @property
     def title(self) -> str:

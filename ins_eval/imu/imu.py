@@ -10,7 +10,7 @@ from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.mounting import ORTHOGONAL, Mounting
 from ins_eval.imu.sensor_error_model import IDEAL_SENSORS, SensorErrorModel
 from ins_eval.imu.stated_gyros import IDEAL_GYROS, StatedGyros
-from pyhrg.common.errors import HrgError
+from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.units import STANDARD_GRAVITY
 from pyhrg.records.imu.increments import Increments
 
@@ -47,6 +47,8 @@ class Imu:
     mounting: Mounting = ORTHOGONAL
     mounting_deviation: float = 0.0
     name: str = ""
+
+    __repr__ = describe_briefly
 
     def measure(self, truth: Increments, seed: int | np.random.SeedSequence) -> ImuReading:
         """Simulate one unit, drawn at random, on the true motion.

@@ -14,6 +14,7 @@ from ins_eval.parking.mission import sample_mission
 from ins_eval.parking.study import Comparison, compare
 from ins_eval.trajectories.catalogue import load_trajectory
 from pyhrg.common.arguments import check_seed, check_whole_minutes, check_whole_number
+from pyhrg.common.errors import describe_briefly
 from pyhrg.common.files import stage_files
 
 LONGEST_HOURS = 24.0
@@ -24,6 +25,8 @@ MARGIN = 10.0
 
 class ParkingComparison(Comparison):
     """Triads flown with parked patterns and without, with their summary and figure."""
+
+    __repr__ = describe_briefly
 
     @property
     def summary(self) -> str:

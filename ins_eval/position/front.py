@@ -17,7 +17,7 @@ from ins_eval.position.position import (
 from ins_eval.position.report import build_section
 from ins_eval.position.sentences import write_sentences
 from pyhrg.common.arguments import check_number, check_seed, check_whole_number
-from pyhrg.common.errors import HrgError
+from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.files import write_whole
 from pyhrg.common.progress import Progress, Show
 from pyhrg.common.units import HOUR
@@ -41,6 +41,8 @@ UNITS = {
 
 class PositionGap(MissionGaps):
     """Distance between the positions of the nominal and the identified device, in missions."""
+
+    __repr__ = describe_briefly
 
     @property
     def table(self) -> pd.DataFrame:

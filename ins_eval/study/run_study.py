@@ -18,7 +18,7 @@ from ins_eval.study.summary.figure import draw_scatter
 from ins_eval.study.summary.text import state_verdict, summarize
 from ins_eval.study.tables.columns import COLUMNS
 from pyhrg.common.arguments import check_seed
-from pyhrg.common.errors import HrgError
+from pyhrg.common.errors import HrgError, describe_briefly
 
 
 @dataclass(frozen=True)
@@ -30,6 +30,8 @@ class StudyResult:
 
     folder: Path
     files: tuple[str, ...]
+
+    __repr__ = describe_briefly
 
     @cached_property
     def _data(self) -> StudyData:

@@ -10,6 +10,7 @@ from typing import Final
 
 from ins_eval.study.settings import Settings
 from ins_eval.trajectories.keys import Checked, quantity, whole
+from pyhrg.common.errors import describe_briefly
 
 TRAIN, TEST, CONDITION = "train", "test", "condition"
 """Roles of triads: predictors are made on the training triads and judged on the test triads. A
@@ -92,6 +93,8 @@ class Study(Checked):
     left_out: tuple[str, ...] = ()
     calibrations: tuple[str, ...] = CALIBRATIONS
     settings: Mapping[str, Settings] = field(default_factory=dict)
+
+    __repr__ = describe_briefly
 
     def role_of(self, triad: int) -> str:
         """The role of a triad, counted from 0."""

@@ -12,7 +12,7 @@ import numpy as np
 
 from pyhrg.bench.programme import COMMANDS, Programme
 from pyhrg.common.caches.files import read_cached, write_cached
-from pyhrg.common.made_by import list_versions
+from pyhrg.common.made_by import digest_value, list_versions
 from pyhrg.records import Log
 
 
@@ -61,7 +61,7 @@ class Store:
 def compute_key(programme: Programme, **circumstances: object) -> str:
     """Digest of all that a log depends on: programme, circumstances, this code, its libraries."""
     others = (list_versions(), sorted(circumstances.items()), programme.interval)
-    digest = hashlib.sha256(repr(others).encode())
+    digest = hashlib.sha256(digest_value(others).encode())
     arrays = (programme.table_rate, programme.temperature, *map(programme.values, COMMANDS))
     for values in arrays:
         digest.update(np.ascontiguousarray(values).tobytes())

@@ -2,6 +2,7 @@
 
 import hashlib
 from collections.abc import Mapping
+from dataclasses import fields, is_dataclass
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
@@ -27,8 +28,20 @@ def list_versions() -> dict[str, str]:
 
 
 def digest_value(value: object) -> str:
-    """SHA-256 of a frozen dataclass of numbers and texts, the first 32 digits."""
-    return hashlib.sha256(repr(value).encode()).hexdigest()[:32]
+    """SHA-256 of dataclasses and collections of numbers and texts, the first 32 digits."""
+    return hashlib.sha256(repr(_spell_out(value)).encode()).hexdigest()[:32]
+
+
+def _spell_out(value: Any) -> Any:
+    """A value whose `repr` is whole: objects show themselves in one line."""
+    if is_dataclass(value):
+        parts = [(field.name, _spell_out(getattr(value, field.name))) for field in fields(value)]
+        return type(value).__name__, parts
+    if isinstance(value, Mapping):
+        return [(key, _spell_out(each)) for key, each in value.items()]
+    if isinstance(value, list | tuple):
+        return [_spell_out(each) for each in value]
+    return value
 
 
 def check_identity(file: Path, identity: Mapping[str, Any]) -> None:

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
+from pyhrg.common.errors import describe_briefly
 from pyhrg.common.site import Site
 from pyhrg.device.fmu_parameters import compute_fmu_values
 from pyhrg.device.parameters.scalars import ScalarParameters
@@ -54,6 +55,8 @@ class Device(ScalarParameters):
     """Laboratory where the gyro is tested."""
     specification: Mapping[str, float] = field(default_factory=dict, hash=False)
     """Limits of a bench's findings, by name with unit, in that unit."""
+
+    __repr__ = describe_briefly
 
     def fmu_values(self) -> dict[str, float]:
         """All parameters of the FMU that a device has fields for, by the FMU's names, SI."""

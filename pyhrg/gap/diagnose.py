@@ -9,7 +9,7 @@ from pathlib import Path
 import pandas as pd
 from matplotlib.axes import Axes
 
-from pyhrg.common.errors import HrgError
+from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.extras import require_extra
 from pyhrg.common.files import stage_files
 from pyhrg.common.progress import Progress, Show
@@ -71,6 +71,8 @@ class CampaignDiagnosis:
     tests: tuple[ObservedTest, ...]
     before: tuple[Residuals, ...]
     after: tuple[Residuals, ...]
+
+    __repr__ = describe_briefly
 
     @property
     def verdict(self) -> Verdict:

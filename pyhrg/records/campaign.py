@@ -8,7 +8,7 @@ from functools import cached_property, partial
 from pathlib import Path
 from typing import ClassVar
 
-from pyhrg.common.errors import HrgError
+from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.files import write_whole
 from pyhrg.common.site import Site
 from pyhrg.common.toml_table import TomlTable, read_json_table
@@ -75,6 +75,8 @@ class Campaign:
     site: Site
     nominal: Mapping[str, float]
     tests: tuple[Test, ...]
+
+    __repr__ = describe_briefly
 
     def of_kind(self, *kinds: str) -> list[Test]:
         """The tests of these kinds, in order; those held out too."""

@@ -8,6 +8,7 @@ import numpy as np
 import pandas as pd
 
 from pyhrg.common.arrays import Array
+from pyhrg.common.errors import describe_briefly
 from pyhrg.common.files import write_whole
 from pyhrg.common.units import DEG
 from pyhrg.records import mixups, saturation, timing
@@ -63,6 +64,8 @@ class Log:
     """Share of the interval in which the output was valid."""
     exclusions: tuple[str, ...] = ()
     """What reading left out, a sentence each; rows are numbered as in the file, from the header."""
+
+    __repr__ = describe_briefly
 
     def require(self, *fields: str) -> None:
         """Refuse a log in which one of these fields has no value at all.

@@ -6,6 +6,7 @@ import numpy as np
 
 from fmu_build.bundle import build_fmu
 from pyhrg.common.arrays import Array
+from pyhrg.common.errors import describe_briefly
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
@@ -52,6 +53,8 @@ class MapEstimate:
     angle: float
     burst_share: float
     p_value: float
+
+    __repr__ = describe_briefly
 
     @property
     def is_explained(self) -> bool:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pyhrg.common.arrays import Array
+from pyhrg.common.errors import describe_briefly
 from pyhrg.common.units import YEAR
 from pyhrg.device.device import Device
 from pyhrg.witness.mechanisms import COUNT, find
@@ -31,6 +32,8 @@ class Prior:
 
     mean: Array
     covariance: Array
+
+    __repr__ = describe_briefly
 
 
 def make_drift_prior(

@@ -17,6 +17,7 @@ from ins_eval.study.specification import TEST, TRAIN
 from ins_eval.study.tables import columns
 from ins_eval.study.tables.columns import Predictor
 from pyhrg.common.arrays import Array
+from pyhrg.common.errors import describe_briefly
 from pyhrg.common.pages.svg import format_interval
 from pyhrg.common.units import NAUTICAL_MILE
 
@@ -40,6 +41,8 @@ class ChallengeScores:
     """
 
     table: pd.DataFrame
+
+    __repr__ = describe_briefly
 
     def __str__(self) -> str:
         return "\n\n".join(

@@ -20,7 +20,7 @@ from ins_eval.study.report.mission_constants import (
 )
 from ins_eval.study.study_data import StudyData, read_study_data
 from pyhrg.common.arguments import check_number
-from pyhrg.common.errors import HrgError
+from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.pages.svg import format_number
 
 
@@ -46,6 +46,8 @@ class PredictedError:
     spearman: float
     smallest: float
     largest: float
+
+    __repr__ = describe_briefly
 
     @property
     def document(self) -> dict[str, str | float]:

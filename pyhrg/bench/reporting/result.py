@@ -18,7 +18,7 @@ from pyhrg.bench.reporting.document import format_document, read_document
 from pyhrg.bench.reporting.judgement import describe_unmatched_limits, judge_findings
 from pyhrg.bench.reporting.parameter_system import make_table_1
 from pyhrg.bench.reporting.text import format_outcome, format_section, format_table
-from pyhrg.common.errors import HrgError
+from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.files import replace_folder, write_whole
 from pyhrg.common.made_by import check_identity
 from pyhrg.common.pages.markup import Table
@@ -32,7 +32,7 @@ COLUMNS = ("name", "value", "unit", "low_95", "high_95", "n", "target", "verdict
 """Columns of the findings' table."""
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True)
 class TestResult:
     """Result of one test.
 
@@ -150,7 +150,7 @@ class TestResult:
     def __str__(self) -> str:
         return format_section(self.procedure.title, format_outcome(self.outcome, self.limits))
 
-    __repr__ = __str__
+    __repr__ = describe_briefly
 
 
 @dataclass(frozen=True)
@@ -166,7 +166,7 @@ class TestFailure:
         return format_section(self.procedure.title, self.reason)
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True)
 class BenchResults:
     """Results of the tests of one gyro.
 
@@ -236,7 +236,7 @@ class BenchResults:
         sections += [format_table(self._make_table_1())] if len(self.attempts) > 1 else []
         return "\n\n".join([*sections, *self._list_unmatched()])
 
-    __repr__ = __str__
+    __repr__ = describe_briefly
 
     def _make_table_1(self) -> Table:
         return make_table_1({result.name: result.outcome for result in self.results})

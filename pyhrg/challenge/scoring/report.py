@@ -14,6 +14,7 @@ from pyhrg.challenge.scoring.named import AnyCase, RefusedCase, is_right, list_n
 from pyhrg.challenge.scoring.score import CurvePoint
 from pyhrg.challenge.truths.seal import encode_json
 from pyhrg.challenge.truths.truth import DETECTION_SIGMAS
+from pyhrg.common.errors import describe_briefly
 from pyhrg.common.files import write_whole
 
 SCHEMA = "hrg-challenge-score/3"
@@ -33,6 +34,8 @@ class Score:
     """The score of one or more challenges, taken together."""
 
     challenges: Sequence[Finished]
+
+    __repr__ = describe_briefly
 
     @property
     def cases(self) -> list[AnyCase]:

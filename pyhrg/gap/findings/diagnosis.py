@@ -6,7 +6,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
-from pyhrg.common.errors import HrgError
+from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.files import write_whole
 from pyhrg.common.units import NAUTICAL_MILE
 from pyhrg.device.declarations import Family
@@ -188,6 +188,8 @@ class Diagnosis:
     left: Leftover = Leftover(0.0, 0.0, 0.0)
     bound: Leftover = Leftover(0.0, 0.0, 0.0)
     terms: tuple[Term, ...] = ()
+
+    __repr__ = describe_briefly
 
     @property
     def caveats(self) -> list[str]:

@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 
 from pyhrg.common.arrays import Array
+from pyhrg.common.errors import describe_briefly
 from pyhrg.gap.static_record.fit.diagnosis import ChannelDiagnosis
 from pyhrg.gap.static_record.fit.unknowns import split_octaves
 from pyhrg.gap.static_record.terms import GYRO
@@ -36,6 +37,8 @@ class RecordDiagnosis:
     channel_diagnoses: tuple[ChannelDiagnosis, ...]
     shared: Array
     seed: int
+
+    __repr__ = describe_briefly
 
     @property
     def verdict(self) -> str:

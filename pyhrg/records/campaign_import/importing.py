@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.common.errors import HrgError
+from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.files import replace_folder
 from pyhrg.records.campaign import Campaign, Test, write_campaign
 from pyhrg.records.campaign_import.conversion import convert_column, read_times
@@ -26,6 +26,8 @@ class ImportedCampaign:
 
     mapping: CampaignMapping
     tests: tuple[ImportedTest, ...]
+
+    __repr__ = describe_briefly
 
     @property
     def campaign(self) -> Campaign:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.common.errors import quote
+from pyhrg.common.errors import describe_briefly, quote
 from pyhrg.common.reading.limits import LARGEST_NUMBER
 from pyhrg.records.columns import LogError
 from pyhrg.records.imu.increments import Increments
@@ -29,6 +29,8 @@ class RecordedImu:
     position: Array | None
     attitude: Array | None
     source: str
+
+    __repr__ = describe_briefly
 
 
 def parse_numbers(

@@ -10,8 +10,10 @@ from scipy.fft import irfft, next_fast_len, rfft, rfftfreq
 
 from pyhrg.bench.bench import (
     LOOP_OUTPUTS,
+    OUTPUTS_AT_END,
     Bench,
     compute_earth_rate,
+    interpolate_rows,
     record_rows,
 )
 from pyhrg.bench.programme import HELD_INPUTS, LOGGED_COMMANDS
@@ -21,6 +23,9 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.records import Log
+
+AXES = {"amplitude": "amplitude", "quadrature": "quadrature"}
+"""The FMU's names of the half axes of the vibration's ellipse."""
 
 
 @dataclass(frozen=True)
@@ -32,12 +37,17 @@ class Disturbance:
         or (1, 1), rad/s.
     inputs: function of the same that returns inputs (n,) that hold over a row and differ from the
         bench's command, by their names in a programme, SI.
+    rate_at_amplitude: function of the same and of the amplitude of the vibration, (n, m), that
+        returns another added input rate, (n, m), rad/s.
+    change_at_amplitude: function of the simulated log and the same three that returns the true log.
     shown: function of the true log that returns the log as the bench writes it.
     """
 
     model: Mapping[str, float] = field(default_factory=dict)
     rate: Callable[[Course, float], Array] = lambda course, start_angle: np.zeros((1, 1))
     inputs: Callable[[Course, float], Mapping[str, Array]] = lambda course, start_angle: {}
+    rate_at_amplitude: Callable[[Course, float, Array], Array] | None = None
+    change_at_amplitude: Callable[[Log, Course, float, Array], Log] | None = None
     shown: Callable[[Log], Log] = lambda log: log
 
 
@@ -69,16 +79,15 @@ class TrueGyro:
     def exact(self, source: str, course: Course, start_angle: float, noise: Array) -> Log:
         """The log of bench and gyro without reading noise; `noise` is an input rate, (n, m) or
         (1, 1), rad/s, that is added to the bench's and Earth's."""
-        held = {**course.held, **self.disturbance.inputs(course, start_angle)}
-        commands = {name: held[name] for name in HELD_INPUTS}
-        bench = Bench(self.fmu, self._quiet(commands, course.step), step=course.step)
-        earth = compute_earth_rate(self.device, course.each("axis_up"), course.table_angle)
-        added = noise + self.disturbance.rate(course, start_angle)
-        moving = {"angularRate": course.rate + earth + added, "caseTemperature": course.temperature}
-        with bench.power_on(source, start_angle) as gyro:
-            shown = record_rows(gyro, moving, commands, course.step, LOOP_OUTPUTS)
+        disturbance, amplitude = self.disturbance, np.zeros((1, 1))
+        if disturbance.rate_at_amplitude or disturbance.change_at_amplitude:
+            amplitude = self._find_amplitude(source, course, start_angle)
+        added = noise + disturbance.rate(course, start_angle)
+        if disturbance.rate_at_amplitude:
+            added = added + disturbance.rate_at_amplitude(course, start_angle, amplitude)
+        shown = self._simulate(source, course, start_angle, added, OUTPUTS_AT_END)
         columns: dict[str, Any] = {**{name: course.held[name] for name in LOGGED_COMMANDS}, **shown}
-        return Log(
+        log = Log(
             source=source,
             interval=course.interval,
             time=np.asarray(np.arange(1, len(course) + 1) * course.interval, dtype=np.float64),
@@ -87,6 +96,33 @@ class TrueGyro:
             valid=np.full(len(course), np.nan),
             **columns,
         )
+        if disturbance.change_at_amplitude:
+            log = disturbance.change_at_amplitude(log, course, start_angle, amplitude)
+        return log
+
+    def _simulate(
+        self,
+        source: str,
+        course: Course,
+        start_angle: float,
+        added: Array,
+        at_end: Mapping[str, str],
+    ) -> dict[str, Array]:
+        """(n,) outputs, by field, with an added input rate, (n, m) or (1, 1), rad/s."""
+        held = {**course.held, **self.disturbance.inputs(course, start_angle)}
+        commands = {name: held[name] for name in HELD_INPUTS}
+        bench = Bench(self.fmu, self._quiet(commands, course.step), step=course.step)
+        earth = compute_earth_rate(self.device, course.each("axis_up"), course.table_angle)
+        moving = {"angularRate": course.rate + earth + added, "caseTemperature": course.temperature}
+        with bench.power_on(source, start_angle) as gyro:
+            return record_rows(gyro, moving, commands, course.step, LOOP_OUTPUTS, at_end)
+
+    def _find_amplitude(self, source: str, course: Course, start_angle: float) -> Array:
+        """(n, m) amplitude of the vibration, by the energy of both its axes, linear between the
+        rows' ends, without a rate that depends on it."""
+        axes = self._simulate(source, course, start_angle, np.zeros((1, 1)), AXES)
+        ends = np.hypot(axes["amplitude"], axes["quadrature"])
+        return interpolate_rows(np.append(ends[:1], ends), course.share)
 
     def _quiet(self, commands: Mapping[str, Array], step: float) -> Device:
         """The device without noise, with its first commands from time 0 on."""

@@ -114,7 +114,7 @@ def is_unexplained(case: ScoredCase) -> bool:
 
 def is_family_right(case: ScoredCase) -> bool:
     """What is wrong is stated, and each named class has a member of a family that is wrong. A cause
-    without a name is of the bench where its terms, or its true coordinate, are, else of the gyro. A
+    without a name is of the bench where its terms, or its true place, are, else of the gyro. A
     known parameter that is off by more than its tolerance need not be named."""
     truth, diagnosis = case.truth, case.diagnosis
     families = FAMILIES | {cause.effect: cause.family for cause in diagnosis.causes}
@@ -122,7 +122,7 @@ def is_family_right(case: ScoredCase) -> bool:
     if is_unexplained(case):
         places = {term.place for term in diagnosis.terms}
         stated.append({"bench"} if places == {"bench"} else {"gyro"})
-    faulty = "bench" if truth.coordinate == "table_angle" else "gyro"
+    faulty = "bench" if truth.place == "bench" else "gyro"
     true = {faulty} if truth.kind != "none" else set()
     is_found = all(any(family in own for own in stated) for family in true)
     true |= {FAMILIES[name] for name in truth.beyond}

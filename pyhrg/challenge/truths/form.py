@@ -1,4 +1,4 @@
-"""Errors that the catalogue lacks: forms of errors, their kinds, and parts of their shapes."""
+"""Forms of errors that the catalogue lacks, and parts of their shapes."""
 
 import math
 from collections.abc import Callable
@@ -13,11 +13,14 @@ from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 
-Shape = Callable[[Course, float], Array]
-"""Added input rate at unit size, (n, m), rad/s, by course and start angle."""
 Disturb = Callable[[Device, float, np.random.Generator], Disturbance]
 """Disturbance of the nominal device at a size (1 is a typical one), by a generator that draws all
 else; the same generator gives the same form at any size."""
+PLACES = (
+    *("bias", "readout", "damping", "stiffness"),
+    *("pickoff", "drive", "electronics", "bench"),
+)
+"""Where a form acts, by the names of the record format."""
 FORMS_MODULE = "pyhrg.challenge.truths.outside"
 """Loaded by this name when a challenge is generated; no module imports it."""
 
@@ -26,47 +29,22 @@ FORMS_MODULE = "pyhrg.challenge.truths.outside"
 class Form:
     """A form of error that the catalogue lacks.
 
+    place: where it acts, of `PLACES`.
     coordinate: in which it shows, by the name of the record format.
-    stand_ins: names of the record format that it may be given.
+    reason: why a laboratory may meet it, a sentence.
     """
 
     name: str
+    place: str
     coordinate: str
     disturbance: Disturb
-    stand_ins: tuple[str, ...] = ()
+    reason: str
 
 
 def load_forms() -> tuple[Form, ...]:
     """All forms."""
     forms: tuple[Form, ...] = import_module(FORMS_MODULE).FORMS
     return forms
-
-
-def make_rate_form(
-    name: str,
-    coordinate: str,
-    scale: float,
-    draw_shape: Callable[[Device, np.random.Generator], Shape],
-) -> Form:
-    """A form that adds a rate to the input rate, of a shape times the scale."""
-
-    def disturbance(device: Device, size: float, generator: np.random.Generator) -> Disturbance:
-        shape = draw_shape(device, generator)
-        return Disturbance(rate=lambda course, start: size * scale * shape(course, start))
-
-    return Form(name, coordinate, disturbance)
-
-
-def make_signed_rate_form(
-    name: str, coordinate: str, scale: float, shape: Callable[[Device, Course], Array]
-) -> Form:
-    """A form that adds a rate to the input rate, of a shape times the scale and a drawn sign."""
-
-    def draw_shape(device: Device, generator: np.random.Generator) -> Shape:
-        sign = draw_sign(generator)
-        return lambda course, start: sign * shape(device, course)
-
-    return make_rate_form(name, coordinate, scale, draw_shape)
 
 
 def find_ideal_pattern_angle(device: Device, course: Course, start: float) -> Array:
@@ -78,9 +56,14 @@ def find_ideal_pattern_angle(device: Device, course: Course, start: float) -> Ar
 
 def find_resonator_warmth(device: Device, course: Course) -> Array:
     """(n, m) temperature of the resonator above the reference, K."""
-    kept = math.exp(-course.step / device.thermal_lag)
     case = (course.temperature - device.reference_temperature).ravel()
-    return np.asarray(lfilter([1 - kept], [1, -kept], case).reshape(course.temperature.shape))
+    return follow(case, course.step, device.thermal_lag).reshape(course.temperature.shape)
+
+
+def follow(values: Array, step: float, lag: float) -> Array:
+    """(n,) values, a step in s apart, with a first-order lag, s, from zero."""
+    kept = math.exp(-step / lag)
+    return np.asarray(lfilter([1 - kept], [1, -kept], values))
 
 
 def apply_play(values: Array, width: float) -> Array:

@@ -1,7 +1,9 @@
-"""Forms of errors of gyro and bench that the catalogue lacks.
+"""Forms of errors of gyro and bench that the catalogue lacks, written without sight of the terms
+that a diagnosis proposes.
 
-A form is physical where the FMU has a parameter for it that no catalogued effect uses. Otherwise it
-adds to the input rate, to an input, or to what the bench shows. The module is loaded by name alone
+Each has a place, a coordinate, a typical size and a shape of about 1. What a shape draws is uniform
+in the range that stands in it; a sign is drawn for each. A truth draws the size for a strength of
+6 to 60 sigma, at most 30 typical sizes (`truth.py`). The module is loaded by name alone
 (`form.FORMS_MODULE`).
 """
 
@@ -9,139 +11,136 @@ import math
 from dataclasses import replace
 
 import numpy as np
-from scipy.signal import lfilter
 
 from pyhrg.challenge.campaigns.course import Course
 from pyhrg.challenge.campaigns.gyro import Disturbance
-from pyhrg.challenge.truths.form import (
-    Form,
+from pyhrg.challenge.truths.conditions import Conditions
+from pyhrg.challenge.truths.entry import (
     Shape,
-    apply_play,
-    draw_sign,
-    find_ideal_pattern_angle,
-    find_resonator_warmth,
-    make_rate_form,
-    make_signed_rate_form,
+    command,
+    damp,
+    damp_along_axis,
+    detune,
+    misread,
+    show,
+    turn,
+    turn_by_amplitude,
+    vary,
 )
+from pyhrg.challenge.truths.form import Disturb, Form, apply_play, draw_sign
 from pyhrg.common.arrays import Array
-from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, HZ, PPM
+from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, HZ, MINUTE, PPM, STANDARD_GRAVITY
 from pyhrg.device.device import Device
 from pyhrg.records import Log
 
-# Pattern angle
+KELVINS = 30.0
+"""Change of temperature at which an error over temperature has its typical size, K."""
+FAST, SLOW = 100 * DEG, 1 * DEG
+"""Rates at which an error over the rate has its typical size, rad/s."""
+CHARGE = 1e-4
+"""Drift of the bias voltage, relative, 1/h."""
+
+# Shapes
 
 
-def harmonic(order: int) -> Form:
-    """A bias proportional to a harmonic of the pattern angle."""
-
-    def shaped(device: Device, generator: np.random.Generator) -> Shape:
-        phase = generator.uniform(0, 2 * math.pi)
-        return lambda course, start: np.sin(
-            order * find_ideal_pattern_angle(device, course, start) + phase
-        )
-
-    return make_rate_form(f"bias_harmonic_{order}", "wave_angle", 0.1 * DEG_PER_H, shaped)
+def wave(order: int) -> Shape:
+    """A harmonic of the pattern angle."""
+    return lambda now, draw: np.sin(order * now.wave_angle + draw.uniform(0, 2 * math.pi))
 
 
-def frequency_pulling(device: Device, size: float, generator: np.random.Generator) -> Disturbance:
-    """A loop frequency with a second harmonic of the pattern angle."""
-    amplitude, phase = size * (1e-4 * HZ), generator.uniform(0, 2 * math.pi)
+def swing(shortest: float, longest: float) -> Shape:
+    """A sine over time, of a period in this range, s."""
 
-    def change(log: Log) -> Log:
-        pulled = amplitude * np.sin(2 * log.wave_angle + phase)
-        return replace(log, frequency_offset=log.frequency_offset + pulled)
-
-    return Disturbance(shown=change)
-
-
-# Table
-
-
-def encoder(order: int) -> Form:
-    """An encoder whose disc is elliptic (order 2) or has three lobes."""
-
-    def disturb(device: Device, size: float, generator: np.random.Generator) -> Disturbance:
-        amplitude, phase = size * (5 * ARCSEC), generator.uniform(0, 2 * math.pi)
-
-        def change(log: Log) -> Log:
-            error = amplitude * (np.sin(order * log.table_angle + phase) - math.sin(phase))
-            return replace(log, table_angle=log.table_angle + error)
-
-        return Disturbance(shown=change)
-
-    return Form(f"encoder_harmonic_{order}", "table_angle", disturb, ("table_ripple",))
-
-
-# Temperature
-
-
-def hysteresis(device: Device, generator: np.random.Generator) -> Shape:
-    """A bias with hysteresis over temperature."""
-    way, width = draw_sign(generator), generator.uniform(5, 20)
-
-    def shape(course: Course, start: float) -> Array:
-        case = course.case_temperature
-        left = (case - apply_play(case, width)) / width
-        return np.asarray(way * (left[1:] + left[:-1])[:, None] / 2)
+    def shape(now: Conditions, draw: np.random.Generator) -> Array:
+        phase, period = draw.uniform(0, 2 * math.pi), draw.uniform(shortest, longest)
+        return np.sin(2 * math.pi * now.time / period + phase)
 
     return shape
 
 
-def sensor_lag(device: Device, size: float, generator: np.random.Generator) -> Disturbance:
-    """A temperature sensor with a lag of 10 s times the size."""
-
-    def change(log: Log) -> Log:
-        kept = math.exp(-log.interval / max(size * 10.0, 1e-9))
-        above = log.temperature - device.reference_temperature
-        lagged = lfilter([1 - kept], [1, -kept], above)
-        return replace(log, temperature=device.reference_temperature + lagged)
-
-    return Disturbance(shown=change)
+def fade(shortest: float, longest: float) -> Shape:
+    """An exponential decay after power-on, of a time constant in this range, s."""
+    return lambda now, draw: np.exp(-now.time / draw.uniform(shortest, longest))
 
 
-# Acceleration
+def warm(power: int) -> Shape:
+    """A power of the resonator's temperature above the reference."""
+    return lambda now, draw: (now.warmth / KELVINS) ** power
 
 
-def across(name: str, parameter: str, scale: float) -> Form:
-    """An effect of the specific force along x or y, the axes across the input axis, with a sign."""
+def hysteresis(now: Conditions, draw: np.random.Generator) -> Array:
+    """Half the width of a play of 5 to 20 K, on the side from which the temperature came."""
+    width = draw.uniform(5, 20)
+    return (now.case - apply_play(now.case.ravel(), width).reshape(now.case.shape)) / width
+
+
+def jump(now: Conditions, draw: np.random.Generator) -> Array:
+    """A step after 30 to 70 % of the test."""
+    return (now.time > draw.uniform(0.3, 0.7) * now.time.max()).astype(float)
+
+
+def popcorn(now: Conditions, draw: np.random.Generator) -> Array:
+    """Two levels, each held for a random time of 60 to 600 s in the mean."""
+    dwell, own = draw.uniform(60, 600), _draw_anew(now, draw)
+    longest = now.time.max()
+    switches = np.cumsum(own.exponential(dwell, 10 + math.ceil(3 * longest / dwell)))
+    return np.asarray(np.searchsorted(switches, now.time) % 2 - 0.5)
+
+
+def noise(now: Conditions, draw: np.random.Generator) -> Array:
+    """(n, 1) white noise of unit density, another in each test."""
+    own = _draw_anew(now, draw)
+    return own.standard_normal((len(now.time), 1)) / math.sqrt(now.interval)
+
+
+def bursts(now: Conditions, draw: np.random.Generator) -> Array:
+    """Noise in a tenth of the spells of two minutes."""
+    spell = (np.arange(len(now.time)) * now.interval // 120).astype(int)
+    loud = _draw_anew(now, draw).random(int(spell[-1]) + 1) < 0.1
+    return noise(now, draw) * loud[spell, None]
+
+
+def scratch(now: Conditions, draw: np.random.Generator) -> Array:
+    """A bump of 2 to 10 deg at one table angle, less its value at power-on."""
+    place, width = draw.uniform(-math.pi, math.pi), draw.uniform(2, 10) * DEG
+
+    def bump(angle: Array) -> Array:
+        away = np.remainder(angle - place + math.pi, 2 * math.pi) - math.pi
+        return np.asarray(np.exp(-((away / width) ** 2) / 2))
+
+    return np.asarray(bump(now.table_angle) - bump(np.zeros(1)))
+
+
+def friction_peak(now: Conditions, draw: np.random.Generator) -> Array:
+    """A peak of 4 to 12 K at a temperature within 20 K of the reference."""
+    peak, width = draw.uniform(-20, 20), draw.uniform(4, 12)
+    return np.asarray(np.exp(-(((now.warmth - peak) / width) ** 2) / 2))
+
+
+def _draw_anew(now: Conditions, draw: np.random.Generator) -> np.random.Generator:
+    """A generator that differs between tests of different length."""
+    return np.random.default_rng([int(draw.integers(2**31)), len(now.time)])
+
+
+# Ways to enter that one form has
+
+
+def across(parameter: str, scale: float) -> Disturb:
+    """A parameter of the FMU by specific force along x or y, the axes across the input axis."""
 
     def disturb(device: Device, size: float, generator: np.random.Generator) -> Disturbance:
         axis = generator.choice((1, 2))
         return Disturbance(model={f"{parameter}[{axis}]": size * scale * draw_sign(generator)})
 
-    return Form(name, "acceleration", disturb)
-
-
-# Time
-
-
-def warm_up(device: Device, generator: np.random.Generator) -> Shape:
-    """A bias that decays after power-on."""
-    way, lag = draw_sign(generator), generator.uniform(300, 1500)
-    return lambda course, start: way * np.exp(-course.time / lag)
-
-
-def jump(device: Device, generator: np.random.Generator) -> Shape:
-    """A bias that jumps at one moment."""
-    way, share = draw_sign(generator), generator.uniform(0.3, 0.7)
-    return lambda course, start: (
-        way * (course.time > share * len(course) * course.interval).astype(np.float64)
-    )
-
-
-def periodic(device: Device, generator: np.random.Generator) -> Shape:
-    """A periodic bias."""
-    period, phase = generator.uniform(60, 900), generator.uniform(0, 2 * math.pi)
-    return lambda course, start: np.sin(2 * math.pi * course.time / period + phase)
+    return disturb
 
 
 def charge(device: Device, size: float, generator: np.random.Generator) -> Disturbance:
-    """Charge that drifts on the electrodes: frequency and split move with the bias voltage."""
-    axis = generator.uniform(0, math.pi / 2)
+    """A drifting bias voltage: frequency and split move with its square."""
     softening = {
         "resonator.material.electrostaticShift": 3.0,
         "resonator.material.electrostaticSplit": 0.3,
-        "resonator.material.electrostaticAxis": axis,
+        "resonator.material.electrostaticAxis": generator.uniform(0, math.pi / 2),
     }
 
     def drifting(course: Course, start: float) -> dict[str, Array]:
@@ -151,81 +150,139 @@ def charge(device: Device, size: float, generator: np.random.Generator) -> Distu
     return Disturbance(model=softening, inputs=drifting)
 
 
-CHARGE = 1e-4
-"""Drift of the bias voltage, relative, 1/h."""
+def age(device: Device, size: float, generator: np.random.Generator) -> Disturbance:
+    """A decay time that becomes shorter."""
+    return Disturbance(model={"resonator.material.decayTimeAgeing": size * 1e-9})
 
 
-# Noise
+def backlash(device: Device, size: float, generator: np.random.Generator) -> Disturbance:
+    """An encoder with a play of 1 arcsec."""
+
+    def change(log: Log) -> Log:
+        angle = apply_play(np.append(0.0, log.table_angle), size * ARCSEC)[1:]
+        return replace(log, table_angle=angle)
+
+    return Disturbance(shown=change)
 
 
-def bursts(device: Device, generator: np.random.Generator) -> Shape:
-    """Bursts of rate noise, two minutes each."""
-    seed = int(generator.integers(2**31))
-
-    def shape(course: Course, start: float) -> Array:
-        own = np.random.default_rng([seed, len(course)])
-        spell = np.arange(len(course)) * course.interval // 120
-        loud = own.random(int(spell[-1]) + 1) < 0.1
-        noise = own.standard_normal(len(course)) / math.sqrt(course.interval)
-        return np.asarray((noise * loud[spell.astype(int)])[:, None])
-
-    return shape
-
+# Name, place, coordinate, way to enter with typical size and shape, reason
 
 FORMS = (
-    harmonic(2),
-    harmonic(6),
-    harmonic(12),
-    Form("frequency_pulling", "wave_angle", frequency_pulling),
-    encoder(3),
-    encoder(2),
-    # a bias proportional to the square of the temperature
-    make_signed_rate_form(
-        "temperature_squared",
-        "temperature",
-        0.01 * DEG_PER_H,
-        lambda device, course: (find_resonator_warmth(device, course) / 30) ** 2,
-    ),
-    make_rate_form("temperature_hysteresis", "temperature", 0.01 * DEG_PER_H, hysteresis),
-    Form("temperature_sensor_lag", "temperature", sensor_lag, ("thermometer_lag",)),
-    # a scale factor that differs between the two directions of rotation
-    make_signed_rate_form(
-        "scale_factor_asymmetry", "rate", 10 * PPM, lambda device, course: np.abs(course.rate)
-    ),
-    # scale-factor errors proportional to the rate and to its square, of unit size at 100 deg/s
-    make_signed_rate_form(
-        "rate_squared",
-        "rate",
-        10 * PPM,
-        lambda device, course: course.rate * np.abs(course.rate / (100 * DEG)),
-    ),
-    make_signed_rate_form(
-        "rate_cubed",
-        "rate",
-        10 * PPM,
-        lambda device, course: course.rate * (course.rate / (100 * DEG)) ** 2,
-    ),
-    # pick-off gain by the square of the force; direction of the force frame; frequency split
-    across("gain_acceleration_squared", "pickOff.gainPerAccelerationSquared", 5e-7),
-    across("cross_axis_acceleration", "drive.rotationPerAcceleration", 1e-6),
-    across("split_acceleration", "resonator.material.splitPerAcceleration", 1e-5),
-    # a bias proportional to the square of the amplitude, zero at the nominal one
-    make_signed_rate_form(
-        "amplitude_squared",
-        "amplitude",
-        0.1 * DEG_PER_H,
-        lambda device, course: course.each("amplitude_setpoint") ** 2 - 1,
-    ),
-    make_rate_form("warm_up", "time", 0.05 * DEG_PER_H, warm_up),
-    make_rate_form("bias_jump", "time", 0.05 * DEG_PER_H, jump),
-    make_rate_form("periodic", "time", 0.05 * DEG_PER_H, periodic),
-    Form(
-        "decay_time_ageing",
-        "time",
-        lambda device, size, generator: Disturbance(
-            model={"resonator.material.decayTimeAgeing": size * 1e-9}
-        ),
-    ),
-    Form("charge", "time", charge),
-    make_rate_form("noise_bursts", "noise", 3e-7, bursts),
-)
+    Form("bias_harmonic_2", "bias", "wave_angle", turn(0.1 * DEG_PER_H, wave(2)),
+         "A shell that sits off centre has a gap that varies once round."),
+    Form("bias_harmonic_6", "bias", "wave_angle", turn(0.1 * DEG_PER_H, wave(6)),
+         "The wall's thickness has a sixth harmonic of machining."),
+    Form("bias_harmonic_12", "bias", "wave_angle", turn(0.1 * DEG_PER_H, wave(12)),
+         "Electrodes and the gaps between them repeat round the shell."),
+    Form("magnetic_torque", "bias", "table_angle",
+         turn(0.05 * DEG_PER_H,
+              lambda now, draw: np.sin(2 * now.table_angle + draw.uniform(0, 2 * math.pi))),
+         "Soft iron in the mount turns in the Earth's magnetic field."),
+    Form("temperature_squared", "bias", "temperature", turn(0.01 * DEG_PER_H, warm(2)),
+         "Two materials of the mount expand differently, to second order too."),
+    Form("temperature_hysteresis", "bias", "temperature", turn(0.01 * DEG_PER_H, hysteresis),
+         "A glued joint creeps on heating and does not return on the same way."),
+    Form("acceleration_squared", "bias", "acceleration",
+         turn(0.05 * DEG_PER_H, lambda now, draw: (now.acceleration[2] / STANDARD_GRAVITY) ** 2),
+         "Weight along the stem bends the shell the same way up and down."),
+    Form("amplitude_squared", "bias", "amplitude",
+         turn_by_amplitude(0.1 * DEG_PER_H, lambda now, draw: now.amplitude**2 - 1),
+         "Cubic elasticity turns a pattern with a residual quadrature by its energy."),
+    Form("warm_up", "bias", "time", turn(0.05 * DEG_PER_H, fade(300, 1500)),
+         "Electronics warm up after power-on where no thermometer is."),
+    Form("bias_creep", "bias", "time",
+         turn(0.01 * DEG_PER_H, lambda now, draw: np.log1p(now.time / draw.uniform(20, 200))),
+         "Glue relaxes with the logarithm of time."),
+    Form("bias_jump", "bias", "time", turn(0.05 * DEG_PER_H, jump),
+         "A crack or a loose particle changes the balance at once."),
+    Form("periodic", "bias", "time", turn(0.05 * DEG_PER_H, swing(60, 900)),
+         "A controller of temperature switches on and off."),
+    Form("scale_factor_asymmetry", "readout", "rate",
+         turn(10 * PPM, lambda now, draw: np.abs(now.rate)),
+         "A counter of increments loses some in one direction."),
+    Form("rate_squared", "readout", "rate",
+         turn(10 * PPM, lambda now, draw: now.rate * np.abs(now.rate) / FAST),
+         "Friction of a fast table heats its mount and strains it."),
+    Form("rate_cubed", "readout", "rate",
+         turn(10 * PPM, lambda now, draw: now.rate * (now.rate / FAST) ** 2),
+         "Centrifugal force widens the shell, which changes the angular gain."),
+    Form("truncation", "readout", "rate",
+         turn(0.05 * DEG_PER_H, lambda now, draw: np.tanh(now.rate / SLOW)),
+         "A read-out that truncates towards zero loses a part of each step."),
+    Form("arctangent_table", "readout", "wave_angle", misread(0.1 * ARCSEC, wave(16)),
+         "A table of arctangents with few entries errs between them."),
+    Form("damping_amplitude", "damping", "amplitude",
+         damp(3e-8, lambda now, draw: now.amplitude**2 - 1),
+         "Friction in the coating grows with the strain."),
+    Form("anisotropy_amplitude", "damping", "amplitude",
+         damp_along_axis(1e-7, lambda now, draw: now.amplitude**2 - 1),
+         "A joint that slips at large amplitudes damps along one axis."),
+    Form("desorption", "damping", "time", damp(1e-8, fade(200, 1000)),
+         "A film of water leaves the shell after power-on."),
+    Form("friction_peak", "damping", "temperature", damp(1e-8, friction_peak),
+         "Internal friction of a coating peaks at a transition."),
+    Form("decay_time_ageing", "damping", "time", age,
+         "The vacuum becomes worse."),
+    Form("frequency_pulling", "stiffness", "wave_angle",
+         show("frequency_offset", 1e-4 * HZ, wave(2)),
+         "One electrode with another gap softens the shell where the pattern passes it."),
+    Form("frequency_fourth_power", "stiffness", "amplitude",
+         detune(1e-4 * HZ, lambda now, draw: now.amplitude**4 - 1),
+         "The force over a gap has higher orders where the vibration fills it."),
+    Form("frequency_temperature_squared", "stiffness", "temperature",
+         show("frequency_offset", 1e-3 * HZ, warm(2)),
+         "The modulus of silica has a second-order temperature coefficient."),
+    Form("gradient_stress", "stiffness", "temperature_rate",
+         show("frequency_offset", 1e-3 * HZ, lambda now, draw: now.warming * MINUTE),
+         "A gradient from stem to rim stresses the shell while the case warms."),
+    Form("spin_softening", "stiffness", "rate",
+         show("frequency_offset", 1e-5 * HZ, lambda now, draw: (now.rate / FAST) ** 2),
+         "Centrifugal force changes the stiffness of a turning shell."),
+    Form("split_temperature", "stiffness", "temperature",
+         vary("resonator.material.splitPerAcceleration", 1e-6 * HZ, warm(1)),
+         "A trimmed split is the difference of two that change differently."),
+    Form("split_acceleration", "stiffness", "acceleration",
+         across("resonator.material.splitPerAcceleration", 1e-5),
+         "Weight bends the stem and makes the gaps uneven."),
+    Form("charge", "stiffness", "time", charge,
+         "Charge drifts on the glass between the electrodes."),
+    Form("gain_acceleration_squared", "pickoff", "acceleration",
+         across("pickOff.gainPerAccelerationSquared", 5e-7),
+         "Weight closes a gap to second order."),
+    Form("gain_swing", "pickoff", "time",
+         vary("pickOff.gainPerAcceleration", 1e-6, swing(100, 1000)),
+         "The supply of one channel's preamplifier swings with the room's air."),
+    Form("cross_axis_acceleration", "drive", "acceleration",
+         across("drive.rotationPerAcceleration", 1e-6),
+         "Weight across the stem twists the block of electrodes."),
+    Form("joint_slip", "drive", "temperature",
+         vary("drive.rotationPerAcceleration", 1e-5, lambda now, draw: np.maximum.accumulate(
+             np.abs(now.warmth).ravel()).reshape(now.warmth.shape) / KELVINS),
+         "The drives' joint slips where it is hotter or colder than ever, and stays."),
+    Form("virtual_rotation_asymmetry", "drive", "rate",
+         turn(0.05 * DEG_PER_H, lambda now, draw: np.abs(now.virtual_rotation) / SLOW),
+         "A drive amplifier pulls harder than it pushes."),
+    Form("reference_voltage", "electronics", "temperature",
+         command("amplitude_setpoint", 1e-6, warm(1)),
+         "The reference of the amplitude loop has a temperature coefficient."),
+    Form("phase_settling", "electronics", "time",
+         command("phase_offset", 1e-5, fade(100, 1000)),
+         "A filter's capacitor polarizes after power-on."),
+    Form("popcorn", "electronics", "time", turn(0.05 * DEG_PER_H, popcorn),
+         "A trap in a transistor fills and empties."),
+    Form("noise_bursts", "electronics", "noise", turn(3e-7, bursts),
+         "A contact is bad at times."),
+    Form("noise_of_rate", "electronics", "noise",
+         turn(3e-7, lambda now, draw: noise(now, draw) * np.abs(now.rate) / FAST),
+         "A noisy reference multiplies the rate."),
+    Form("encoder_scratch", "bench", "table_angle", show("table_angle", ARCSEC, scratch),
+         "A scratch or a fingerprint is on the encoder's disc."),
+    Form("encoder_backlash", "bench", "table_angle", backlash,
+         "The encoder's coupling has play."),
+    Form("table_sag", "bench", "acceleration",
+         show("table_angle", ARCSEC, lambda now, draw: now.acceleration[0] / STANDARD_GRAVITY),
+         "A tilted table twists between encoder and gyro."),
+    Form("thermometer_draught", "bench", "time", show("temperature", 0.01, swing(300, 1500)),
+         "The air of the room reaches the thermometer and not the gyro."),
+)  # fmt: skip
+"""Forms outside the catalogue."""

@@ -52,8 +52,9 @@ class Truth:
     strengths: strength of each effect alone, or of the form beyond the catalogue, sigmas.
     form: name of the form outside the catalogue.
     coordinate: in which this form shows.
-    stand_ins: effects that these tests can't separate from the effect that was left out; names of
-        the bench's faults that a form outside the catalogue may be given.
+    place: where this form acts.
+    size: of this form, in typical sizes.
+    stand_ins: effects that these tests can't separate from the effect that was left out.
     holdout_noise_arcsec: rms of the true noise in the output angle of the held-out tests.
     beyond: known parameters that are off by more than their tolerance.
     """
@@ -64,6 +65,8 @@ class Truth:
     strengths: tuple[float, ...] = ()
     form: str | None = None
     coordinate: str | None = None
+    place: str | None = None
+    size: float | None = None
     stand_ins: tuple[str, ...] = ()
     holdout_noise_arcsec: float | None = None
     beyond: tuple[str, ...] = ()
@@ -198,8 +201,7 @@ class Drawing:
         size = solve_size(measure, sigmas)
         if size is None:
             return None
-        known = form.stand_ins
-        truth = Truth("outside", (), {}, (sigmas,), form.name, form.coordinate, stand_ins=known)
+        truth = Truth("outside", (), {}, (sigmas,), form.name, form.coordinate, form.place, size)
         return TrueState(truth, meter.believed, disturb(size))
 
 

@@ -229,7 +229,7 @@ def test_a_known_parameter_in_a_class_holds_the_effect() -> None:
         (Truth("none", beyond=(LATITUDE,)), said(Cause(LATITUDE, 0.9, family="bench")), True),
         (Truth("none", beyond=(LATITUDE,)), said(verdict="no_gap"), True),
         (Truth("outside", form="jump"), said(verdict="no_gap", unknown=0.9), True),
-        (Truth("outside", coordinate="table_angle"), said(verdict="no_gap", unknown=0.9), False),
+        (Truth("outside", place="bench"), said(verdict="no_gap", unknown=0.9), False),
         (Truth("none"), said(verdict="unexplained", unknown=0.9), False),
     ],
 )

@@ -8,8 +8,9 @@ import pytest
 from pyhrg.bench.programme import Programme
 from pyhrg.challenge.campaigns.course import make_course
 from pyhrg.challenge.campaigns.instruments import Instruments
+from pyhrg.challenge.truths.form import PLACES
 from pyhrg.challenge.truths.meter import Meter
-from pyhrg.challenge.truths.truth import Drawing, solve_size
+from pyhrg.challenge.truths.truth import LARGEST_SIZE, Drawing, solve_size
 from pyhrg.common.units import DEG
 from pyhrg.fmu import GyroError
 from pyhrg.gap.effects.catalogue import EFFECT_NAMES, EFFECTS
@@ -78,6 +79,8 @@ def test_outside_names_its_form(meter: Meter) -> None:
     state = drawing(meter, 2).state("outside")
     assert state.truth.form
     assert state.truth.coordinate
+    assert state.truth.place in PLACES
+    assert 0 < (state.truth.size or 0.0) <= LARGEST_SIZE
     gap = meter.residual(state.device, state.disturbance)
     found = meter.sigmas_beyond_catalogue(gap)
     assert found == pytest.approx(state.truth.strengths[0], rel=0.05)

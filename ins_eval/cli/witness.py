@@ -1,6 +1,7 @@
 """`hrg witness`: the bias map of a gyro now, from a log of its own channels."""
 
 import argparse
+import json
 from pathlib import Path
 
 import pyhrg
@@ -23,6 +24,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add("--mission", default="car", metavar="NAME|FILE", help="where the map's worth is computed "
         "(default car)")  # fmt: skip
     add("--hours", type=float, default=1.0, help="duration of that mission (default 1)")
+    add("--json", action="store_true", help="print an object instead of the summary")
 
 
 def run(options: argparse.Namespace) -> None:
@@ -39,12 +41,18 @@ def run(options: argparse.Namespace) -> None:
     device = pyhrg.load_device(options.device)
     prior = pyhrg.make_drift_prior(device, age, share, LARGEST_LEAKAGE)
     found = pyhrg.estimate_map(pyhrg.read_log(options.log), device, prior)
-    print(found.summary)
     weights = load_mission_weights(mission)
     after, before = (
         compute_map_worth(weights, covariance, found.angle)
         for covariance in (found.maps_covariance, found.maps_prior)
     )
+    if options.json:
+        worth = zip(AXES, after.tolist(), before.tolist(), strict=True)
+        errors = {axis: {"with_log": a, "without_log": b} for axis, a, b in worth}
+        place = {"mission": mission.name, "hours": mission.hours}
+        print(json.dumps({**found.document, **place, "position_rms_m": errors}, indent=1))
+        return
+    print(found.summary)
     print(f"\nrms position error by what is not known, {mission.name}, {mission.hours:g} h, m")
     for axis, known, unknown in zip(AXES, after, before, strict=True):
         print(f"gyro pointing {axis:10s}{known:10.0f} with the log{unknown:10.0f} without it")

@@ -1,6 +1,7 @@
 """The bias map of a gyro now, from a log of its own channels (docs/methods/witness.md)."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -16,7 +17,7 @@ from pyhrg.witness.information import compute_maps_response
 from pyhrg.witness.mechanisms import NAMES, change_device
 from pyhrg.witness.prior import Prior
 from pyhrg.witness.replay import read_witnesses
-from pyhrg.witness.responses import HARMONICS, TERMS, measure_output, measure_responses
+from pyhrg.witness.responses import HARMONICS, measure_output, measure_responses
 
 SIGNIFICANCE = 1e-3
 """Probability of innovations below which the model is said not to hold. Chosen."""
@@ -63,19 +64,18 @@ class MapEstimate:
     @property
     def summary(self) -> str:
         """The map now, what changed, and how well both are known, as text."""
-        names = ["mean", *(f"{wave} {h} th" for h in HARMONICS for wave in ("cos", "sin"))]
-        known, before = (np.sqrt(np.diag(each)) for each in (self.maps_covariance, self.maps_prior))
         lines = [
             f"{'bias map, deg/h':28s}{'calibrated':>12s}{'now':>12s}{SIGMAS}",
             *(
-                f"{name:28s}" + "".join(f"{x / DEG_PER_H:12.5f}" for x in row)
-                for name, *row in zip(
-                    names, self.calibrated, self.maps, known[:TERMS], before[:TERMS], strict=False
-                )
+                f"{name:28s}" + "".join(f"{x:12.5f}" for x in row.values())
+                for name, row in self._tabulate_map().items()
             ),
             "",
             f"{'change since calibration':34s}{'now':>12s}{SIGMAS}",
-            *self._describe_changes(),
+            *(
+                f"{name:34s}{row['now']:12.3g}{row['sigma']:12.2g}{row['sigma_without_log']:12.2g}"
+                for name, row in self._tabulate_changes().items()
+            ),
             "",
             f"temperature {self.temperature:+.2f} K; {self.burst_share:.1%} of the rows are bursts",
         ]
@@ -86,15 +86,45 @@ class MapEstimate:
             )
         return "\n".join(lines)
 
-    def _describe_changes(self) -> list[str]:
+    @property
+    def document(self) -> dict[str, Any]:
+        """The summary's figures as JSON values; changes in SI."""
+        return {
+            "bias_map_deg_h": self._tabulate_map(),
+            "changes": self._tabulate_changes(),
+            "temperature_k": float(self.temperature),
+            "burst_share": float(self.burst_share),
+            "p_value": float(self.p_value),
+            "is_explained": bool(self.is_explained),
+        }
+
+    def _tabulate_map(self) -> dict[str, dict[str, float]]:
+        names = ["mean", *(f"{wave} {h} th" for h in HARMONICS for wave in ("cos", "sin"))]
+        known, before = (np.sqrt(np.diag(each)) for each in (self.maps_covariance, self.maps_prior))
+        columns = {
+            "calibrated": self.calibrated,
+            "now": self.maps,
+            "sigma": known,
+            "sigma_without_log": before,
+        }
+        return {
+            name: {key: float(values[i] / DEG_PER_H) for key, values in columns.items()}
+            for i, name in enumerate(names)
+        }
+
+    def _tabulate_changes(self) -> dict[str, dict[str, float]]:
         known, before = (
             np.sqrt(np.diag(each)) for each in (self.covariance, self.prior.covariance)
         )
-        return [
-            f"{name:34s}{change:12.3g}{sigma:12.2g}{prior:12.2g}"
+        return {
+            name: {
+                "now": float(change),
+                "sigma": float(sigma),
+                "sigma_without_log": float(prior),
+            }
             for name, change, sigma, prior in zip(NAMES, self.changes, known, before, strict=True)
             if prior > 0
-        ]
+        }
 
 
 def estimate_map(log: Log, device: Device, prior: Prior) -> MapEstimate:

@@ -23,67 +23,24 @@ import tempfile
 import time
 from pathlib import Path
 
-STUDY = """\
-seed = 1
-triads = 8
-training = 2
-interval_percent = 50
-hours = 0.1
-calibrations = ["mean"]
-missions = [{ name = "car", class = "car" }]
+sys.path.insert(0, str(Path(__file__).parents[1]))
 
-[calibration]
-runs = 1
-fixed_runs = 2
-positions = 16
-segments = 1
-fixed_segments = 2
-periods = 1
+from tests import commands
 
-[bench]
-runs = 2
-fixed_runs = 2
-positions = 16
-segments = 1
-fixed_segments = 2
-periods = 1
-"""
-"""The smallest study that is scored."""
-RUN = "import sys; from pyhrg.common.cli import main; sys.exit(main())"
-CODE = {
-    "validate": "from ins_eval.study.validation import validate; "
-    f"validate.PRESET = 'study.toml'; {RUN}"
-}
-"""What Python runs where it is not `RUN`: a validation begins with that study instead of `small`,
-which takes ten minutes."""
-COMMANDS = {
-    "validate": "validate --triads 6 --hours 0.1 --seed 1 --workers 1 --out {out}",
-    "study": "study study.toml --workers 1 --out {out}",
-    "bench": "bench all --seed 1 --workers 1 --out {out}",
-    "challenge": "gap challenge --none 1 --single 0 --pairs 0 --outside 0 --data short --seed 1"
-    " --workers 1 --out {out}",
-    "build": "build --out {out}/HRG.fmu",
-}
-"""What is killed; {out} is the output folder."""
+COMMANDS = ("validate", "study", "bench all", "gap challenge", "build")
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGKILL)
 IN_A_ROW = 5
 """Most kills of a command before it is run to its end."""
 
 
-def start(name: str, out: Path) -> subprocess.Popen[bytes]:
-    """A command in a session of its own; a build has an empty cache."""
+def start(name: str, out: Path) -> "subprocess.Popen[str]":
+    """A command without output; a build has an empty cache."""
     environment = dict(os.environ)
     if name == "build":
         out.mkdir(exist_ok=True)
         environment["XDG_CACHE_HOME"] = str(out.parent / f"cache-{out.name}")
-    return subprocess.Popen(
-        [sys.executable, "-c", CODE.get(name, RUN), *COMMANDS[name].format(out=out).split()],
-        cwd=out.parent,
-        env=environment,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        start_new_session=True,
-    )
+    nowhere = subprocess.DEVNULL
+    return commands.start(name, out, out.parent, env=environment, stdout=nowhere, stderr=nowhere)
 
 
 def clear(out: Path) -> None:
@@ -135,7 +92,6 @@ def main(kills: int, seed: int, names: list[str]) -> None:
     killed = dict.fromkeys(names, 0)
     with tempfile.TemporaryDirectory() as folder_name:
         folder = Path(folder_name)
-        (folder / "study.toml").write_text(STUDY)
         usual = {name: run_undisturbed(name, folder) for name in names}
         print("; ".join(f"{n}: {usual[n][1]:.1f} s" for n in names), flush=True)
         while sum(killed.values()) < kills:

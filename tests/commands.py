@@ -29,15 +29,16 @@ runs = 2
 {PLAN}"""
 """The smallest study that is scored."""
 RUN = "import sys; from pyhrg.common.cli import main; sys.exit(main())"
-SHORT_VALIDATION = f"""\
-from ins_eval.study.validation import validate
-validate.PRESET = "study.toml"
+SHORT_STUDY = f"""\
+from pathlib import Path
+from ins_eval.study import study_file
+study_file._FOLDER = Path()
 {RUN}"""
-"""`hrg`, but a validation begins with that study in place of `small`, which takes ten minutes."""
+"""`hrg` with that study in place of `small`, which takes minutes."""
 COMMANDS = {
     "validate": "validate --triads 6 --hours 0.1 --seed 1 --workers 1 --out {out}",
-    "study": "study study.toml --workers 1 --out {out}",
-    "study challenge": "study challenge study.toml --seed 1 --workers 1 --out {out}",
+    "study": "study --workers 1 --out {out}",
+    "study challenge": "study challenge --seed 1 --workers 1 --out {out}",
     "bench": "bench amplitude-sweep --seed 1 --workers 1 --out {out}",
     "bench all": "bench all --seed 1 --workers 1 --out {out}",
     "gap challenge": "gap challenge --none 1 --single 0 --pairs 0 --outside 0 --data short "
@@ -50,8 +51,8 @@ COMMANDS = {
 def start(name: str, out: Path, folder: Path, **options: Any) -> "subprocess.Popen[str]":
     """Start a command that writes into `out` in a folder where the study's file is put; options are
     those of `Popen`."""
-    (folder / "study.toml").write_text(STUDY)
-    code = SHORT_VALIDATION if name == "validate" else RUN
+    (folder / "small.toml").write_text(STUDY)
+    code = SHORT_STUDY if name in ("validate", "study", "study challenge") else RUN
     arguments = [word.format(out=out) for word in COMMANDS[name].split()]
     return subprocess.Popen(
         [sys.executable, "-c", code, *arguments],

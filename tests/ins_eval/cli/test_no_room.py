@@ -46,7 +46,7 @@ def run(command: str, disk: Path) -> tuple[int, str]:
     """Status and standard error of a command that writes onto the disk."""
     started = start(command, disk / "out", disk.parent, stdout=DEVNULL, stderr=PIPE)
     with started:
-        errors = started.communicate(timeout=100)[1]
+        errors = started.communicate(timeout=300)[1]
     return started.returncode, errors
 
 

@@ -2,13 +2,14 @@
 
     python benchmarks/kills.py [KILLS] [SEED] [COMMAND ...]
 
-So many kills (default 100) by SIGINT, SIGTERM and SIGKILL, in turn over a validation, a study, a
-whole bench, a challenge and a build with an empty cache; or over those that are named. A command is
-killed at a random moment of its usual duration, then run to its end in the same folder, whose files
-must have the bytes of an undisturbed run, with nothing beside them. Status 1 where they differ.
+So many kills (default 100) by SIGINT, SIGTERM and SIGKILL, spread over a validation, a study,
+a whole bench, a challenge and a build with an empty cache; or over those that are named. A command
+is killed at a random moment of its usual duration, begun again in the same folder and killed again,
+up to five times, then run to its end. The folder's files must have the bytes of an undisturbed run,
+with nothing beside them. Status 1 where they differ.
 
-The usual duration is that of a second run: the first one fills the cache. A command that ended
-before it was killed isn't counted; it is run and killed anew.
+The usual duration is that of a second run: the first one fills the cache. A kill that came after
+the command had ended isn't counted.
 """
 
 import hashlib
@@ -22,43 +23,24 @@ import tempfile
 import time
 from pathlib import Path
 
-HRG = [sys.executable, "-c", "import sys; from pyhrg.common.cli import main; sys.exit(main())"]
-STUDY = """\
-seed = 1
-triads = 38
-training = 2
-hours = 0.1
-calibrations = ["mean"]
-missions = [{ name = "car", class = "car" }]
-"""
-"""The smallest study that is scored."""
-COMMANDS = {
-    "validate": "validate --triads 36 --hours 0.1 --seed 1 --workers 1 --out {out}",
-    "study": "study {study} --workers 1 --out {out}",
-    "bench": "bench all --seed 1 --workers 1 --out {out}",
-    "challenge": "gap challenge --none 0 --single 1 --pairs 0 --outside 0 --data short --seed 1"
-    " --workers 1 --out {out}",
-    "build": "build --out {out}/HRG.fmu",
-}
-"""What is killed; {out} is the output folder, {study} the study's file."""
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from tests import commands
+
+COMMANDS = ("validate", "study", "bench all", "gap challenge", "build")
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGKILL)
+IN_A_ROW = 5
+"""Most kills of a command before it is run to its end."""
 
 
-def start(name: str, out: Path) -> subprocess.Popen[bytes]:
-    """A command in a session of its own; a build has an empty cache."""
+def start(name: str, out: Path) -> "subprocess.Popen[str]":
+    """A command without output; a build has an empty cache."""
     environment = dict(os.environ)
     if name == "build":
         out.mkdir(exist_ok=True)
         environment["XDG_CACHE_HOME"] = str(out.parent / f"cache-{out.name}")
-    study = out.parent / "study.toml"
-    study.write_text(STUDY)
-    return subprocess.Popen(
-        [*HRG, *COMMANDS[name].format(out=out, study=study).split()],
-        env=environment,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        start_new_session=True,
-    )
+    nowhere = subprocess.DEVNULL
+    return commands.start(name, out, out.parent, env=environment, stdout=nowhere, stderr=nowhere)
 
 
 def clear(out: Path) -> None:
@@ -88,36 +70,44 @@ def kill_once(name: str, out: Path, sent: signal.Signals, moment: float) -> bool
     """Whether a command was still running when it was killed, after so many seconds."""
     run = start(name, out)
     time.sleep(moment)
-    hit = run.poll() is None
-    if hit:
-        run.send_signal(sent)
-        hit = run.wait() != 0  # it may have ended at that very moment
-    return hit
+    run.send_signal(sent)  # to a command that has ended: nothing
+    return run.wait() != 0
+
+
+def kill_in_a_row(name: str, out: Path, most: int, duration: float, chance: random.Random) -> int:
+    """Kill a command that goes on in the same folder, until it ends or was killed so many times;
+    returns how many times it was killed."""
+    for number in range(most):
+        sent, moment = chance.choice(SIGNALS), chance.uniform(0, duration)
+        if not kill_once(name, out, sent, moment):
+            print(f"  {name} had ended by {moment:.1f} s", flush=True)
+            return number
+        print(f"  {name} {sent.name} at {moment:.1f} s", flush=True)
+    return most
 
 
 def main(kills: int, seed: int, names: list[str]) -> None:
     """Run and print."""
-    chance, failures, missed = random.Random(seed), 0, 0
+    chance, failures = random.Random(seed), 0
+    killed = dict.fromkeys(names, 0)
     with tempfile.TemporaryDirectory() as folder_name:
         folder = Path(folder_name)
         usual = {name: run_undisturbed(name, folder) for name in names}
         print("; ".join(f"{n}: {usual[n][1]:.1f} s" for n in names), flush=True)
-        for number in range(kills):
-            name, sent = names[number % len(names)], chance.choice(SIGNALS)
+        while sum(killed.values()) < kills:
+            name = min(names, key=lambda each: killed[each])
             expected, duration = usual[name]
-            out = folder / f"{name}-{number}"
-            moment = chance.uniform(0, duration)
-            while not kill_once(name, out, sent, moment):
-                missed += 1
-                clear(out)
-                moment = chance.uniform(0, duration)
+            out = folder / f"{name}-{killed[name]}"
+            most = min(IN_A_ROW, kills - sum(killed.values()))
+            killed[name] += kill_in_a_row(name, out, most, duration, chance)
             status = start(name, out).wait()
             same = status == 0 and digest_files(out) == expected
             failures += not same
-            said = "same" if same else f"differs ({status})"
-            print(f"{number} {name} {sent.name} {moment:.1f} s: {said}", flush=True)
+            said = "same" if same else f"differs (status {status})"
+            print(f"{name}, {killed[name]} kills: {said}", flush=True)
             clear(out)
-    print(f"seed {seed}: {kills} kills, {failures} with another result; {missed} came too late")
+    total = "; ".join(f"{name} {count}" for name, count in killed.items())
+    print(f"seed {seed}: {total} kills; {failures} folders with another result")
     sys.exit(bool(failures))
 
 

@@ -35,6 +35,8 @@ DECLARATIONS = tuple(
     f'<?xml version="1.0" encoding="{name}"?>'.encode()
     for name in ("bz2", "utf-7", "utf-32", "shift_jis", "undefined", "rot13", "\0", "cp037", "none")
 )
+KEY = rb'(?<!\w)[A-Za-z_]\w*(?="?\s*[=:])'
+"""A key of a TOML or JSON document; tried once a word, however long it is."""
 BOMB = b'<!DOCTYPE b [<!ENTITY a "aaaaaaaaaa">' + b"".join(
     b'<!ENTITY %c "%b">' % (98 + i, b"&%c;" % (97 + i) * 10) for i in range(9)
 )
@@ -94,9 +96,9 @@ def set_value(data: bytes, chance: random.Random) -> bytes:
 
 def rename_key(data: bytes, chance: random.Random) -> bytes:
     """A key has another name, or that of another key."""
-    names = re.findall(rb'"?([A-Za-z_]\w*)"?\s*[=:]', data) or [b"x"]
+    names = re.findall(KEY, data) or [b"x"]
     name = chance.choice((chance.choice(names).decode(), "n" * 5000, "\u00e9", "a.b", ""))
-    return _replace(rb'[A-Za-z_]\w*(?="?\s*[=:])', (name,), data, chance)
+    return _replace(KEY, (name,), data, chance)
 
 
 def drop_line(data: bytes, chance: random.Random) -> bytes:

@@ -1,23 +1,20 @@
-"""A disk that is full and one that is read-only, with real processes: one line, nothing written,
-and the same command succeeds when there is room."""
+"""A disk that is full, fills up or is read-only, with real processes: one line, nothing
+half-written, and the same command succeeds when there is room."""
 
 import os
 import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
+from subprocess import DEVNULL, PIPE
 
 import pytest
 
-HRG = "import sys; from pyhrg.common.cli import main; sys.exit(main())"
-COMMANDS = {
-    "bench": ["bench", "fixed-position"],
-    "validate": ["validate"],
-    "study": ["study"],
-    "study challenge": ["study", "challenge", "--seed", "1"],
-    "gap challenge": ["gap", "challenge"],
-}
+from tests.commands import start
+
+COMMANDS = ("bench", "validate", "study", "study challenge", "gap challenge")
 DISK_BYTES = 1 << 26
+ROOM = 1 << 17
+"""Room for a part of what each command writes, bytes."""
 
 
 def mount(*arguments: str) -> None:
@@ -37,45 +34,51 @@ def disk(tmp_path: Path) -> Iterator[Path]:
     subprocess.run(["umount", str(place)], check=True)
 
 
-def fill(disk: Path) -> Path:
-    """Take all room that there is."""
-    filler = disk / "filler"
+def fill(disk: Path, room: int = 0) -> Path:
+    """Take all room that there is, but so many bytes."""
+    filler, free = disk / "filler", os.statvfs(disk).f_bavail * os.statvfs(disk).f_bsize
     with filler.open("wb") as file:
-        os.posix_fallocate(file.fileno(), 0, os.statvfs(disk).f_bavail * os.statvfs(disk).f_bsize)
+        os.posix_fallocate(file.fileno(), 0, free - room)
     return filler
 
 
-def run(command: str, out: Path) -> subprocess.CompletedProcess[str]:
-    arguments = [*COMMANDS[command], "--out", str(out), "--workers", "1"]
-    return subprocess.run(
-        [sys.executable, "-c", HRG, *arguments], capture_output=True, text=True, timeout=100
-    )
+def run(command: str, disk: Path) -> tuple[int, str]:
+    """Status and standard error of a command that writes onto the disk."""
+    started = start(command, disk / "out", disk.parent, stdout=DEVNULL, stderr=PIPE)
+    with started:
+        errors = started.communicate(timeout=300)[1]
+    return started.returncode, errors
 
 
 def list_files(disk: Path) -> list[str]:
     return sorted(path.name for path in disk.rglob("*") if path.is_file())
 
 
+def check_refusal(status: int, errors: str) -> None:
+    assert status == 2, errors
+    assert errors.splitlines()[-1].endswith("No space left on device")
+    assert "Traceback" not in errors
+
+
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_full_disk(command: str, disk: Path) -> None:
     filler = fill(disk)
-    ended = run(command, disk / "out")
-    assert ended.returncode == 2, ended.stderr
-    assert ended.stderr.splitlines()[-1].endswith("No space left on device")
-    assert "Traceback" not in ended.stderr
+    check_refusal(*run(command, disk))
     assert list_files(disk) == [filler.name]
-    if command == "bench":
-        filler.unlink()
-        assert run(command, disk / "out").returncode == 0
-        assert "report.html" in list_files(disk)
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_disk_that_fills_midway(command: str, disk: Path) -> None:
+    """What is whole may stay. The same command goes on when there is room."""
+    filler = fill(disk, ROOM)
+    check_refusal(*run(command, disk))
+    assert not list(disk.rglob(".*"))
+    filler.unlink()
+    status, errors = run(command, disk)
+    assert status == 0, errors
 
 
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_read_only_disk(command: str, disk: Path) -> None:
     mount("-o", "remount,ro", str(disk))
-    ended = run(command, disk / "out")
-    assert ended.returncode == 2
-    assert ended.stderr == f"hrg: {disk}: it can't be written\n"
-    if command == "bench":
-        mount("-o", "remount,rw", str(disk))
-        assert run(command, disk / "out").returncode == 0
+    assert run(command, disk) == (2, f"hrg: {disk}: it can't be written\n")

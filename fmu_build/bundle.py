@@ -54,6 +54,8 @@ PREBUILT = Path(__file__).parent / "prebuilt"
 """Holds FMUs where a wheel is installed, in a folder named by the digest of their sources."""
 PREBUILT_FMI = 2
 """The version of the standard that `pyhrg.fmu` imports."""
+DEVICES = Path(__file__).parent / "archive" / "devices"
+"""Parameter sets of the ready devices (SSP), one a file; `tests/agreement` holds them to these."""
 
 Progress = Callable[[str], None]
 
@@ -200,7 +202,7 @@ def write_fmu(
 
 PARTS = ("equations", "code", "c", "binaries", "archive")
 """The rooms of this package that determine what the FMU is."""
-SUFFIXES = ("py", "css", "png", "txt", "c", "h")
+SUFFIXES = ("py", "css", "png", "ssv", "txt", "c", "h")
 
 
 def digest_sources() -> str:
@@ -250,6 +252,8 @@ def _make_enclosures(
     }
     found |= run.files(root.identifier)
     found |= {f"documentation/licenses/{n}": text for n, text in list_licence_files(fmi).items()}
+    if root.file is None:
+        found |= {f"resources/{file.name}": file.read_bytes() for file in DEVICES.glob("*.ssv")}
     return found | ({"model.png": icon} if fmi == 2 else {})
 
 

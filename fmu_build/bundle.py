@@ -26,10 +26,9 @@ from fmu_build.binaries.platforms import (
     list_platforms,
 )
 from fmu_build.code.generate import generate_header, generate_source
+from fmu_build.code.limits import generate_limits
 from fmu_build.equations.dae import Dae
 from fmu_build.equations.modelica import read_page
-from fmu_build.equations.scalars import find_causality, is_tunable
-from fmu_build.equations.sorting import sort_equations
 from fmu_build.equations.translate import COMPILER_VERSION, translate
 from fmu_build.roots import ROOTS, Root
 from pyhrg.common.caches.files import find_cache_folder, is_intact, write_digest
@@ -55,6 +54,8 @@ PREBUILT = Path(__file__).parent / "prebuilt"
 """Holds FMUs where a wheel is installed, in a folder named by the digest of their sources."""
 PREBUILT_FMI = 2
 """The version of the standard that `pyhrg.fmu` imports."""
+DEVICES = Path(__file__).parent / "archive" / "devices"
+"""Parameter sets of the ready devices (SSP), one a file; `tests/agreement` holds them to these."""
 
 Progress = Callable[[str], None]
 
@@ -201,7 +202,7 @@ def write_fmu(
 
 PARTS = ("equations", "code", "c", "binaries", "archive")
 """The rooms of this package that determine what the FMU is."""
-SUFFIXES = ("py", "css", "png", "txt", "c", "h")
+SUFFIXES = ("py", "css", "png", "ssv", "txt", "c", "h")
 
 
 def digest_sources() -> str:
@@ -223,14 +224,14 @@ def digest_sources() -> str:
 def write_sources(dae: Dae, folder: Path, fmi: int, root: Root = ROOTS["HRG"]) -> str:
     """Write the C sources into a folder; returns modelDescription.xml."""
     equations = generate_source(dae, root.integrator)
-    digest = hashlib.sha256((equations + _limits(dae, "")).encode())
+    digest = hashlib.sha256((equations + generate_limits(dae, "", 3)).encode())
     for source in sorted((Path(__file__).parent / "c").iterdir()):
         (folder / source.name).write_bytes(source.read_bytes())
         digest.update(source.read_bytes())
     token = digest.hexdigest()[:32]
     (folder / "model.c").write_text(equations)
     (folder / "model_constants.h").write_text(generate_header(dae))
-    (folder / "limits.c").write_text(_limits(dae, token))
+    (folder / "limits.c").write_text(generate_limits(dae, token, fmi))
     if fmi == 3:
         return describe_fmi3(dae, root, token)
     return describe_fmi2(dae, root, token, [*SOURCES, SHELLS[fmi]])
@@ -251,6 +252,8 @@ def _make_enclosures(
     }
     found |= run.files(root.identifier)
     found |= {f"documentation/licenses/{n}": text for n, text in list_licence_files(fmi).items()}
+    if root.file is None:
+        found |= {f"resources/{file.name}": file.read_bytes() for file in DEVICES.glob("*.ssv")}
     return found | ({"model.png": icon} if fmi == 2 else {})
 
 
@@ -263,27 +266,6 @@ def _place_binaries(libraries: dict[str, bytes], identifier: str, fmi: int) -> d
         path = f"binaries/{folder}/{identifier}{platform.suffix}"
         folders.setdefault(path, []).append(library)
     return {path: x[0] if len(x) == 1 else join_universal(x) for path, x in folders.items()}
-
-
-def _limits(dae: Dae, token: str) -> str:
-    lines = ['#include "limits.h"', f'const char *const model_token = "{token}";']
-    lines.append("const Limits limits[] = {")
-    kinds = {"parameter": "SET_PARAMETER", "input": "SET_INPUT"}
-    plan = sort_equations(dae)
-    on_demand = {a.target[1] for a in (*plan.held, *plan.outputs)}
-    for index, variable in enumerate(dae.variables):
-        kind = kinds.get(find_causality(dae, variable), "SET_NEVER")
-        kind = "SET_TUNABLE" if is_tunable(dae, variable) else kind
-        whole = int(variable.scalar == "integer")
-        continuous = int(index in on_demand)
-        for element in range(variable.count):
-            low = dae.constant(variable.minimum, element)
-            high = dae.constant(variable.maximum, element)
-            least = "-UNLIMITED" if low is None else repr(low)
-            most = "UNLIMITED" if high is None else repr(high)
-            name = variable.element_name(element)
-            lines.append(f'  {{"{name}", {kind}, {whole}, {continuous}, {least}, {most}}},')
-    return "\n".join([*lines, "};", ""])
 
 
 def _zip(content: dict[str, bytes]) -> bytes:

@@ -39,6 +39,9 @@ FMI3_CAPABILITIES = (
 )
 
 
+FMI3_KINDS = {"real": "Float64", "integer": "Int32", "switch": "Boolean"}
+
+
 def format_xml(root: ET.Element) -> str:
     """Indented text of a document, with its declaration."""
     ET.indent(root)
@@ -54,7 +57,7 @@ def describe_fmi2(dae: Dae, model: Root, token: str, sources: Sequence[str]) -> 
         typed = _list_type_attributes(scalar)
         shown = {name: typed.pop(name) for name in ("description",) if name in typed}
         entry = ET.SubElement(variables, "ScalarVariable", _head(scalar) | shown)
-        ET.SubElement(entry, "Integer" if scalar.whole else "Real", typed)
+        ET.SubElement(entry, "Integer" if scalar.kind == "integer" else "Real", typed)
     structure = ET.SubElement(root, "ModelStructure")
     kinds = {"Output": "Outputs", "InitialUnknown": "InitialUnknowns"}
     parents = {kind: ET.SubElement(structure, name) for kind, name in kinds.items()}
@@ -74,8 +77,10 @@ def describe_fmi3(dae: Dae, model: Root, token: str) -> str:
         root[0].set("fixedInternalStepSize", repr(float(dae.sample_period)))
     variables = _common(root, listed, model.step)
     for scalar in listed:
-        kind = "Int32" if scalar.whole else "Float64"
+        kind = FMI3_KINDS[scalar.kind]
         head = _head(scalar) | _list_type_attributes(scalar)
+        if scalar.kind == "switch":
+            head = _as_boolean(head)
         if scalar.causality in ("input", "output") and scalar.name != ANGLE:
             head["intermediateUpdate"] = "true"
         ET.SubElement(variables, kind, head)
@@ -147,7 +152,10 @@ def _common(root: ET.Element, listed: Sequence[Scalar], step: str) -> ET.Element
     parent of the variables, still empty."""
     shown = ((s.attributes.get("unit", ""), s.attributes.get("displayUnit", "")) for s in listed)
     add_unit_definitions(root, (pair for pair in shown if pair[0]))
-    types = {s.declared.name: s.declared for s in listed if s.declared}
+    is_fmi2 = root.get("fmiVersion") == "2.0"
+    types = {
+        s.declared.name: s.declared for s in listed if s.declared and (is_fmi2 or s.kind == "real")
+    }
     definitions = ET.SubElement(root, "TypeDefinitions")
     for _, declared in sorted(types.items()):
         attributes = {
@@ -157,7 +165,7 @@ def _common(root: ET.Element, listed: Sequence[Scalar], step: str) -> ET.Element
         }
         attributes = {k: v for k, v in attributes.items() if v}
         head = {"name": declared.name, "description": declared.description}
-        if root.get("fmiVersion") == "2.0":
+        if is_fmi2:
             ET.SubElement(ET.SubElement(definitions, "SimpleType", head), "Real", attributes)
         else:
             ET.SubElement(definitions, "Float64Type", head | attributes)
@@ -183,6 +191,15 @@ def _head(scalar: Scalar) -> dict[str, str]:
 def _list_type_attributes(scalar: Scalar) -> dict[str, str]:
     declared = {"declaredType": scalar.declared.name} if scalar.declared else {}
     return declared | scalar.attributes
+
+
+def _as_boolean(head: dict[str, str]) -> dict[str, str]:
+    """Attributes of a real variable that is 1 or 0, as those of a Boolean."""
+    numeric = {"unit", "min", "max", "nominal", "declaredType", "quantity"}
+    kept = {key: text for key, text in head.items() if key not in numeric}
+    if "start" in kept:
+        kept["start"] = "true" if float(kept["start"]) else "false"
+    return kept | {"variability": "discrete"}
 
 
 def _unknowns(dae: Dae, listed: Sequence[Scalar]) -> Iterator[tuple[str, Scalar, tuple[int, ...]]]:

@@ -84,13 +84,14 @@ def _complete(root: Path, name: str, fmi_version: str) -> None:
 
 
 def _inputs(stop: float, variables: Sequence[ModelVariable]) -> NDArray[np.void]:
-    """Every real input at each communication point, at its start value unless it is driven."""
-    inputs = [v for v in variables if v.causality == "input" and v.type in ("Real", "Float64")]
+    """Every input at each communication point, at its start value unless it is driven; a Boolean as
+    1 or 0."""
+    inputs = [v for v in variables if v.causality == "input"]
     columns = ["time", *(v.name for v in inputs)]
     table = np.zeros(POINTS + 1, dtype=[(column, np.float64) for column in columns])
     table["time"] = np.arange(POINTS + 1) * (stop / POINTS)
     for variable in inputs:
-        table[variable.name] = float(variable.start)
+        table[variable.name] = {"true": 1.0, "false": 0.0}.get(variable.start) or variable.start
         if variable.name in STIMULUS:
             times, values = zip(*STIMULUS[variable.name], strict=True)
             table[variable.name] = np.interp(np.arange(POINTS + 1) / POINTS, times, values)

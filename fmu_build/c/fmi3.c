@@ -30,9 +30,10 @@ static void *refuse_instance(const Listener *listener, const char *message) {
   return NULL;
 }
 
-static int are_real(const fmi3ValueReference references[], size_t n) {
+static int are_updated(const fmi3ValueReference references[], size_t n) {
   for (size_t i = 0; i < n; i++)
-    if (!references || !instance_knows(references[i], REAL)) return 0;
+    if (!references || !(instance_knows(references[i], REAL) || instance_knows(references[i], BOOLEAN)))
+      return 0;
   return 1;
 }
 
@@ -44,8 +45,8 @@ fmi3Instance fmi3InstantiateCoSimulation(
   (void)resources, (void)visible;
   Listener listener = {tell, environment, (void (*)(void))log};
   if (events) return refuse_instance(&listener, "event mode is not supported");
-  if (!are_real(intermediate, intermediates))
-    return refuse_instance(&listener, "a required intermediate variable is no real variable");
+  if (!are_updated(intermediate, intermediates))
+    return refuse_instance(&listener, "a required intermediate variable is neither real nor Boolean");
   Component *component = instance_create(sizeof *component, name, token, MODEL_VARIABLES + 1,
                                          &listener, logging);
   if (!component) return NULL;
@@ -109,25 +110,19 @@ static fmi3Status set(fmi3Instance c, const fmi3ValueReference vr[], size_t n, K
   return answer == DISCARDED ? fmi3Discard : status(answer == DONE);
 }
 
-fmi3Status fmi3GetFloat64(fmi3Instance c, const fmi3ValueReference vr[], size_t n, fmi3Float64 value[],
-                          size_t values) {
-  return status(same_size(c, n, values) && instance_get(c, vr, n, REAL, value));
-}
+#define VARIABLES(Type, kind)                                                                         \
+  fmi3Status fmi3Get##Type(fmi3Instance c, const fmi3ValueReference vr[], size_t n,                  \
+                           fmi3##Type value[], size_t values) {                                      \
+    return status(same_size(c, n, values) && instance_get(c, vr, n, kind, value));                   \
+  }                                                                                                   \
+  fmi3Status fmi3Set##Type(fmi3Instance c, const fmi3ValueReference vr[], size_t n,                  \
+                           const fmi3##Type value[], size_t values) {                                \
+    return set(c, vr, n, kind, value, values);                                                       \
+  }
 
-fmi3Status fmi3SetFloat64(fmi3Instance c, const fmi3ValueReference vr[], size_t n,
-                          const fmi3Float64 value[], size_t values) {
-  return set(c, vr, n, REAL, value, values);
-}
-
-fmi3Status fmi3GetInt32(fmi3Instance c, const fmi3ValueReference vr[], size_t n, fmi3Int32 value[],
-                        size_t values) {
-  return status(same_size(c, n, values) && instance_get(c, vr, n, INTEGER, value));
-}
-
-fmi3Status fmi3SetInt32(fmi3Instance c, const fmi3ValueReference vr[], size_t n,
-                        const fmi3Int32 value[], size_t values) {
-  return set(c, vr, n, INTEGER, value, values);
-}
+VARIABLES(Float64, REAL)
+VARIABLES(Int32, INTEGER)
+VARIABLES(Boolean, BOOLEAN)
 
 /* Kinds of variables that the model does not have. */
 static fmi3Status none(fmi3Instance c, size_t n, unsigned phases, const char *call) {
@@ -155,7 +150,6 @@ NO_VARIABLES(UInt16)
 NO_VARIABLES(UInt32)
 NO_VARIABLES(Int64)
 NO_VARIABLES(UInt64)
-NO_VARIABLES(Boolean)
 NO_VARIABLES(String)
 
 fmi3Status fmi3GetBinary(fmi3Instance c, const fmi3ValueReference vr[], size_t n, size_t sizes[],

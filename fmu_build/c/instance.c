@@ -12,6 +12,8 @@ static const char *const phase_names[] = {"before initialization", "during initi
                                           "between steps",         "within a step",
                                           "after a failed step",   "after termination"};
 
+static const char *const kind_names[KINDS] = {"real", "integer", "Boolean"};
+
 int instance_may(Instance *instance, unsigned phases, const char *call) {
   if (!instance) return 0;
   if (phases & IN(instance->now.phase)) return 1;
@@ -118,13 +120,13 @@ int instance_terminate(Instance *instance) {
 }
 
 int instance_knows(unsigned reference, Kind kind) {
-  return reference < MODEL_VARIABLES && limits[reference].integer == (kind == INTEGER);
+  return reference < MODEL_VARIABLES && limits[reference].kind == kind;
 }
 
 static int is_known(Instance *instance, unsigned reference, Kind kind) {
   if (instance_knows(reference, kind)) return 1;
-  return instance_refuse(instance, "no %s variable has the value reference %u",
-                         kind == INTEGER ? "integer" : "real", reference);
+  return instance_refuse(instance, "no %s variable has the value reference %u", kind_names[kind],
+                         reference);
 }
 
 static int are_given(Instance *instance, const void *references, size_t n, const void *values) {
@@ -147,24 +149,30 @@ static int can_get(Instance *instance, unsigned reference, Kind kind) {
                          NUMBER(instance->now.time));
 }
 
+static void put(void *values, size_t i, Kind kind, double value) {
+  if (kind == INTEGER)
+    ((int *)values)[i] = (int)value;
+  else if (kind == BOOLEAN)
+    ((_Bool *)values)[i] = value > 0.5;
+  else
+    ((double *)values)[i] = value;
+}
+
+static double given(const void *values, size_t i, Kind kind) {
+  if (kind == INTEGER) return ((const int *)values)[i];
+  return kind == BOOLEAN ? ((const _Bool *)values)[i] : ((const double *)values)[i];
+}
+
 int instance_get(Instance *instance, const unsigned *references, size_t n, Kind kind, void *values) {
   if (!instance_may(instance, READABLE, "reading") || !are_given(instance, references, n, values))
     return 0;
   for (size_t i = 0; i < n; i++)
     if (!can_get(instance, references[i], kind)) return 0;
   const double *v = readable(instance)->v;
-  for (size_t i = 0; i < n; i++) {
-    double value = is_time(instance, references[i], kind) ? instance->now.time : v[references[i]];
-    if (kind == INTEGER)
-      ((int *)values)[i] = (int)value;
-    else
-      ((double *)values)[i] = value;
-  }
+  for (size_t i = 0; i < n; i++)
+    put(values, i, kind,
+        is_time(instance, references[i], kind) ? instance->now.time : v[references[i]]);
   return 1;
-}
-
-static double given(const void *values, size_t i, Kind kind) {
-  return kind == INTEGER ? (double)((const int *)values)[i] : ((const double *)values)[i];
 }
 
 static Answer can_set(Instance *instance, unsigned reference, Kind kind, double value) {

@@ -4,6 +4,7 @@
 #define INSTANCE_H
 
 #include "core.h"
+#include "limits.h"
 
 #include <stddef.h>
 
@@ -32,8 +33,6 @@ typedef struct Listener {
   void *environment;
   void (*logger)(void);
 } Listener;
-
-typedef enum { REAL, INTEGER } Kind;
 
 /* To a call that sets values. DISCARDED: a value is out of range, and nothing was set; the simulation
    can go on with those before. */
@@ -78,7 +77,7 @@ void instance_touch(Instance *instance);
 
 /* Whether the model has a variable of this kind. */
 int instance_knows(unsigned reference, Kind kind);
-/* Values are double or int, by kind. */
+/* Values are double, int or bool, by kind. */
 int instance_get(Instance *instance, const unsigned *references, size_t n, Kind kind, void *values);
 /* A value beyond its range by a rounding is the end of the range. */
 Answer instance_set(Instance *instance, const unsigned *references, size_t n, Kind kind,

@@ -11,10 +11,13 @@
 
 typedef enum { SET_NEVER, SET_PARAMETER, SET_TUNABLE, SET_INPUT } Settable;
 
+/* A Boolean is 1 or 0 in the core. */
+typedef enum { REAL, INTEGER, BOOLEAN, KINDS } Kind;
+
 typedef struct {
   const char *name;
   Settable settable;
-  int integer;
+  Kind kind;
   int continuous; /* algebraic: computed when it is asked for */
   double minimum, maximum;
 } Limits;

@@ -81,7 +81,7 @@ static int is_possible_value(int i, double value) {
   const Limits *limit = &limits[i];
   if (!isfinite(value)) return limit->continuous; /* computed anew */
   if (limit->settable == SET_NEVER) return 1;
-  return limits_hold(limit, value) && (!limit->integer || value == floor(value));
+  return limits_hold(limit, value) && (limit->kind == REAL || value == floor(value));
 }
 
 static int is_intact(Instance *instance, const Record *record) {

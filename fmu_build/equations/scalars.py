@@ -15,17 +15,25 @@ TUNABLE = re.compile(
 electronics, which act from the next tick on; no start value is made of them."""
 
 
+SWITCH = "Units.Switch"
+"""The library's type of a real variable that is 1 or 0, which FMI 3 has as a Boolean."""
+
+
 @dataclass(frozen=True)
 class Scalar:
-    """One scalar variable; `attributes` holds description, quantity, unit, displayUnit, min, max,
-    nominal and start: those that apply."""
+    """One scalar variable.
+
+    kind: "real", "integer" or "switch", a real variable that is 1 or 0.
+    attributes: description, quantity, unit, displayUnit, min, max, nominal and start: those that
+        apply.
+    """
 
     name: str
     reference: int
     variable: int
     causality: str
     variability: str
-    whole: bool
+    kind: str
     declared: RealType | None
     attributes: dict[str, str]
 
@@ -51,7 +59,7 @@ def list_scalars(dae: Dae) -> Iterator[Scalar]:
                 variable=index,
                 causality=causality,
                 variability=variability,
-                whole=variable.scalar == "integer",
+                kind=find_kind(variable),
                 declared=declared,
                 attributes=texts | _numbers(dae, variable, element, causality),
             )
@@ -63,6 +71,13 @@ def find_causality(dae: Dae, variable: Variable) -> str:
         settable = variable.tunable and dae.is_constant(variable.binding, variable.count)
         return "parameter" if settable else "calculatedParameter"
     return variable.causality if "." not in variable.name else "local"
+
+
+def find_kind(variable: Variable) -> str:
+    """Kind of a variable's scalars."""
+    if variable.scalar == "integer":
+        return "integer"
+    return "switch" if variable.type_name.endswith(SWITCH) else "real"
 
 
 def is_tunable(dae: Dae, variable: Variable) -> bool:

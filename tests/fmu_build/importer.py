@@ -59,8 +59,7 @@ class Importer:
     def set(self, values: Mapping[str, float]) -> None:
         """Set variables."""
         for name, value in values.items():
-            whole = self.variables[name].type in ("Integer", "Int32")
-            kind = {2: ("Real", "Integer"), 3: ("Float64", "Int32")}[self.fmi][whole]
+            kind = self.variables[name].type
             getattr(self.slave, f"set{kind}")(self.references([name]), [value])
 
     def get(self, names: Iterable[str]) -> list[float]:

@@ -46,7 +46,7 @@ static int are_inputs_and_outputs(const Plan *plan) {
   for (int group = MOVING; group < GROUPS; group++)
     for (size_t k = 0; k < plan->counts[group]; k++) {
       unsigned reference = plan->references[group][k];
-      if (reference >= MODEL_VARIABLES || limits[reference].integer || reference == MODEL_ANGLE) return 0;
+      if (reference >= MODEL_VARIABLES || limits[reference].kind == INTEGER || reference == MODEL_ANGLE) return 0;
       if (group <= HELD && limits[reference].settable != SET_INPUT) return 0;
     }
   return 1;

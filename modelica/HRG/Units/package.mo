@@ -6,6 +6,7 @@ package Units "Types with units; SI throughout"
   type DampingCoefficient = Real(quantity = "DampingCoefficient", unit = "1/s") "Rate of growth or decay";
   type Time = Real(quantity = "Time", unit = "s") "Time";
   type DimensionlessRatio = Real(unit = "1") "Dimensionless number";
+  type Switch = Real(unit = "1", min = 0, max = 1) "1: on, or true; 0: off, or false";
   type RelativeDisplacement = Real(quantity = "RelativeDisplacement", unit = "1")
     "Modal displacement relative to the nominal antinode amplitude";
   type RelativeForce = Real(quantity = "RelativeForce", unit = "1/s")

@@ -144,7 +144,10 @@ def test_an_info_text_that_is_no_html_is_refused(tmp_path: Path) -> None:
 def test_every_input_and_output_has_a_nominal_value(path: Path) -> None:
     for variable in fmpy.read_model_description(str(path)).modelVariables:
         nominal = variable.nominal or getattr(variable.declaredType, "nominal", None)
-        if variable.causality in ("input", "output") and variable.type != "Integer":
+        if variable.causality in ("input", "output") and variable.type not in (
+            "Integer",
+            "Boolean",
+        ):
             assert nominal is not None, variable.name
 
 

@@ -85,9 +85,10 @@ def _arguments(folder: Path, fmi: int, name: str) -> list[str]:
     platform = PLATFORMS[name]
     inner = str(platform.fmi2_folder if fmi == 2 else name)
     library = folder / "binaries" / inner / f"{description.modelName}{platform.suffix}"
-    references = {v.name: v.valueReference for v in description.modelVariables}
+    variables = {v.name: v for v in description.modelVariables}
     settings = [
-        f"{kind}:{references[variable]}:{value!r}"
+        f"{'b' if variables[variable].type == 'Boolean' else kind}"
+        f":{variables[variable].valueReference}:{value!r}"
         for kind, values in SETTINGS.items()
         for variable, value in values.items()
     ]

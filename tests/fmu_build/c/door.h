@@ -1,5 +1,6 @@
 /* The same calls in either FMI version (FMI = 2 or 3): 1 for OK, 0 for an error.
-   F(name) is an FMI function: linked, or found in a library by who includes this. */
+   F(name) is an FMI function: linked, or found in a library by who includes this.
+   Kinds of variables are those of limits.h: 0 real, 1 integer, 2 Boolean. */
 #ifndef DOOR_H
 #define DOOR_H
 
@@ -38,11 +39,13 @@ static inline int door_initialize(Handle c, double start, int stop_defined, doub
 static inline int door_exit(Handle c) { return IS_OK(F(fmi2ExitInitializationMode)(c)); }
 static inline int door_terminate(Handle c) { return IS_OK(F(fmi2Terminate)(c)); }
 static inline int door_reset(Handle c) { return IS_OK(F(fmi2Reset)(c)); }
-static inline int door_get(Handle c, const Reference *r, size_t n, int whole, void *values) {
-  return IS_OK(whole ? F(fmi2GetInteger)(c, r, n, values) : F(fmi2GetReal)(c, r, n, values));
+static inline int door_get(Handle c, const Reference *r, size_t n, int kind, void *values) {
+  if (kind == 2) return IS_OK(F(fmi2GetBoolean)(c, r, n, values));
+  return IS_OK(kind == 1 ? F(fmi2GetInteger)(c, r, n, values) : F(fmi2GetReal)(c, r, n, values));
 }
-static inline int door_set(Handle c, const Reference *r, size_t n, int whole, const void *values) {
-  return IS_OK(whole ? F(fmi2SetInteger)(c, r, n, values) : F(fmi2SetReal)(c, r, n, values));
+static inline int door_set(Handle c, const Reference *r, size_t n, int kind, const void *values) {
+  if (kind == 2) return IS_OK(F(fmi2SetBoolean)(c, r, n, values));
+  return IS_OK(kind == 1 ? F(fmi2SetInteger)(c, r, n, values) : F(fmi2SetReal)(c, r, n, values));
 }
 static inline int door_step(Handle c, double time, double step) { return IS_OK(F(fmi2DoStep)(c, time, step, 1)); }
 static inline int door_save(Handle c, void **s) { return IS_OK(F(fmi2GetFMUstate)(c, s)); }
@@ -97,11 +100,13 @@ static inline int door_initialize(Handle c, double start, int stop_defined, doub
 static inline int door_exit(Handle c) { return IS_OK(F(fmi3ExitInitializationMode)(c)); }
 static inline int door_terminate(Handle c) { return IS_OK(F(fmi3Terminate)(c)); }
 static inline int door_reset(Handle c) { return IS_OK(F(fmi3Reset)(c)); }
-static inline int door_get(Handle c, const Reference *r, size_t n, int whole, void *values) {
-  return IS_OK(whole ? F(fmi3GetInt32)(c, r, n, values, n) : F(fmi3GetFloat64)(c, r, n, values, n));
+static inline int door_get(Handle c, const Reference *r, size_t n, int kind, void *values) {
+  if (kind == 2) return IS_OK(F(fmi3GetBoolean)(c, r, n, values, n));
+  return IS_OK(kind == 1 ? F(fmi3GetInt32)(c, r, n, values, n) : F(fmi3GetFloat64)(c, r, n, values, n));
 }
-static inline int door_set(Handle c, const Reference *r, size_t n, int whole, const void *values) {
-  return IS_OK(whole ? F(fmi3SetInt32)(c, r, n, values, n) : F(fmi3SetFloat64)(c, r, n, values, n));
+static inline int door_set(Handle c, const Reference *r, size_t n, int kind, const void *values) {
+  if (kind == 2) return IS_OK(F(fmi3SetBoolean)(c, r, n, values, n));
+  return IS_OK(kind == 1 ? F(fmi3SetInt32)(c, r, n, values, n) : F(fmi3SetFloat64)(c, r, n, values, n));
 }
 static inline int door_step(Handle c, double time, double step) {
   fmi3Boolean event, end, early;

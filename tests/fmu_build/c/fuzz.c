@@ -126,10 +126,13 @@ static void create(void) {
   forget();
 }
 
-static Reference pick(int whole, int settable) {
+/* FMI 2 has no Boolean. */
+static Kind some_kind(void) { return chance(5) ? INTEGER : FMI == 3 && chance(5) ? BOOLEAN : REAL; }
+
+static Reference pick(Kind kind, int settable) {
   for (;;) {
     Reference r = (Reference)below(MODEL_VARIABLES);
-    if (limits[r].integer == whole && (!settable || limits[r].settable != SET_NEVER)) return r;
+    if (limits[r].kind == kind && (!settable || limits[r].settable != SET_NEVER)) return r;
   }
 }
 
@@ -188,7 +191,7 @@ static int may_fail(const char *call, int legal, int success) {
 static void all_values(double *values) {
   for (Reference r = 0; r < MODEL_VARIABLES; r++) {
     values[r] = 0.0;
-    if (!limits[r].integer) door_get(handle, &r, 1, 0, &values[r]);
+    if (limits[r].kind == REAL) door_get(handle, &r, 1, 0, &values[r]);
   }
 }
 
@@ -250,17 +253,18 @@ static void must_fail(void) {
 static void try_get(void) {
   Reference references[4];
   double values[4];
-  int whole = chance(5), n = below(5), legal = is_open();
+  Kind kind = some_kind();
+  int n = below(5), legal = is_open();
   for (int i = 0; i < n; i++) {
-    references[i] = chance(30) ? (Reference)draw() % (MODEL_VARIABLES + 2000) : pick(whole, 0);
-    int is_time = FMI == 3 && !whole && references[i] == MODEL_VARIABLES;
-    legal &= is_time || (references[i] < MODEL_VARIABLES && limits[references[i]].integer == whole);
+    references[i] = chance(30) ? (Reference)draw() % (MODEL_VARIABLES + 2000) : pick(kind, 0);
+    int is_time = FMI == 3 && kind == REAL && references[i] == MODEL_VARIABLES;
+    legal &= is_time || (references[i] < MODEL_VARIABLES && limits[references[i]].kind == kind);
   }
   if (known.phase == FAILED) return; /* each value may or may not be finite */
   int null = n && chance(30);
   size_t bytes = known.phase == FRESH ? 0 : state_of(before);
   prepare(legal && !null);
-  int success = door_get(handle, n ? references : NULL, (size_t)n, whole, null || !n ? NULL : values);
+  int success = door_get(handle, n ? references : NULL, (size_t)n, (int)kind, null || !n ? NULL : values);
   if (legal && !null && is_excused(success, "is not finite at")) {
     if (known.phase == RUNNING || known.phase == INITIALIZING) must_fail();
     return;
@@ -268,7 +272,7 @@ static void try_get(void) {
   judged("reading", legal && !null, success);
   if (success && (state_of(after) != bytes || memcmp(before, after, bytes) != 0))
     finding("reading changed the state");
-  for (int i = 0; success && !whole && i < n; i++)
+  for (int i = 0; success && kind == REAL && i < n; i++)
     if (!isfinite(values[i])) finding("%s was read as %g", limits[references[i]].name, values[i]);
 }
 
@@ -281,8 +285,8 @@ static double sensible(const Limits *limit) {
          (limit->minimum > 0.0 ? between(low, high) : 0.0);
 }
 
-static int may_set(Reference r, double value, int whole) {
-  if (r >= MODEL_VARIABLES || limits[r].integer != whole) return 0;
+static int may_set(Reference r, double value, Kind kind) {
+  if (r >= MODEL_VARIABLES || limits[r].kind != kind) return 0;
   const Limits *limit = &limits[r];
   return limit->settable != SET_NEVER && !(limit->settable == SET_PARAMETER && known.phase == RUNNING) &&
          limits_hold(limit, value);
@@ -292,22 +296,25 @@ static void try_set(void) {
   Reference references[3];
   double reals[3];
   int integers[3];
-  int whole = chance(6), n = below(4);
+  _Bool flags[3];
+  const void *of_kind[KINDS] = {reals, integers, flags};
+  Kind kind = some_kind();
+  int n = below(4);
   int legal = known.phase == FRESH || known.phase == INITIALIZING || known.phase == RUNNING;
   for (int i = 0; i < n; i++) {
-    Reference r = references[i] = chance(30) ? (Reference)below(MODEL_VARIABLES + 9) : pick(whole, 1);
-    while (known.phase == RUNNING && !whole && !chance(20) && r < MODEL_VARIABLES &&
+    Reference r = references[i] = chance(30) ? (Reference)below(MODEL_VARIABLES + 9) : pick(kind, 1);
+    while (known.phase == RUNNING && kind == REAL && !chance(20) && r < MODEL_VARIABLES &&
            limits[r].settable == SET_PARAMETER)
-      r = references[i] = pick(0, 1);
+      r = references[i] = pick(REAL, 1);
     reals[i] = chance(20) || r >= MODEL_VARIABLES ? wild() : sensible(&limits[r]);
     integers[i] = chance(20) ? -(int)(draw() >> 34) : (int)(draw() >> 34);
-    legal &= may_set(r, whole ? integers[i] : reals[i], whole);
+    flags[i] = chance(2);
+    legal &= may_set(r, kind == REAL ? reals[i] : kind == INTEGER ? integers[i] : flags[i], kind);
   }
   int null = n && chance(30);
-  const void *values = whole ? (const void *)integers : (const void *)reals;
   const Reference *given = n && !(null && chance(2)) ? references : NULL;
   JUDGE("setting", legal && !null,
-        door_set(handle, given, (size_t)n, whole, null || !n ? NULL : values));
+        door_set(handle, given, (size_t)n, (int)kind, null || !n ? NULL : of_kind[kind]));
 }
 
 static void try_save(void) {
@@ -406,12 +413,12 @@ static void try_derivative(void) {
   int nu = below(4), nk = below(3), legal = is_open();
   for (int i = 0; i < nu; i++) {
     unknowns[i] = (Reference)below(MODEL_VARIABLES + 3);
-    legal &= unknowns[i] < MODEL_VARIABLES && !limits[unknowns[i]].integer &&
+    legal &= unknowns[i] < MODEL_VARIABLES && limits[unknowns[i]].kind == REAL &&
              limits[unknowns[i]].settable == SET_NEVER;
   }
   for (int i = 0; i < nk; i++) {
     knowns[i] = (Reference)below(MODEL_VARIABLES + 3);
-    legal &= knowns[i] < MODEL_VARIABLES && !limits[knowns[i]].integer;
+    legal &= knowns[i] < MODEL_VARIABLES && limits[knowns[i]].kind == REAL;
     if (legal) {
       Settable s = limits[knowns[i]].settable;
       legal &= s == SET_INPUT || (s != SET_NEVER && known.phase == INITIALIZING);

@@ -11,6 +11,7 @@ import pytest
 
 from fmu_build.binaries.platforms import join_universal
 from fmu_build.bundle import SOURCES, build_fmu
+from tests.fmu_build.importer import Importer
 
 
 @pytest.fixture(scope="module")
@@ -38,13 +39,46 @@ def test_both_standards_give_the_same_bits(fmu_path: Path, fmi3_path: Path) -> N
             output=["gyroAngle", "amplitudeForce", "valid"],
         )
 
-    assert np.array_equal(run(fmu_path), run(fmi3_path))
+    two, three = run(fmu_path), run(fmi3_path)
+    assert all(np.array_equal(two[name], three[name]) for name in two.dtype.names)
+
+
+def test_switches_are_boolean(fmi3_path: Path, tmp_path: Path) -> None:
+    """What is 1 or 0 is true or false here, read and set by calls of its own alone."""
+    with zipfile.ZipFile(fmi3_path) as archive:
+        archive.extractall(tmp_path)
+    gyro = Importer(tmp_path)
+    switches = {n: v for n, v in gyro.variables.items() if v.type == "Boolean"}
+    assert {n: (v.variability, v.start) for n, v in switches.items()} == {
+        "driveOn": ("discrete", "true"),
+        "valid": ("discrete", None),
+    }
+    slave, (drive, valid) = gyro.slave, gyro.references(["driveOn", "valid"])
+    gyro.begin({"driveOn": False, "startAmplitude": 0.5})
+    assert slave.getBoolean([drive, valid]) == [False, False]
+    for step in range(3):
+        slave.doStep(step * 0.1, 0.1)
+    (growth,) = gyro.get(["amplitudeForce"])
+    assert growth == 0.0
+    slave.setBoolean([drive], [True])
+    for step in range(3, 100):
+        slave.doStep(step * 0.1, 0.1)
+    assert slave.getBoolean([drive, valid]) == [True, True]
+    said = gyro.refused(lambda: slave.getFloat64([valid]))
+    assert said == f"no real variable has the value reference {valid}"
+    said = gyro.refused(lambda: slave.setBoolean([valid], [True]))
+    assert said == "valid can't be set at all"
+    gyro.free()
 
 
 def test_same_variables_but_time(fmu_path: Path, fmi3_path: Path) -> None:
     two, three = (fmpy.read_model_description(str(p)) for p in (fmu_path, fmi3_path))
     described = [
-        {(v.name, v.valueReference, v.causality, v.unit, v.start) for v in d.modelVariables}
+        {
+            (v.name, v.valueReference, v.causality, v.unit, v.start)
+            for v in d.modelVariables
+            if v.name not in ("driveOn", "valid")
+        }
         for d in (two, three)
     ]
     assert {name for name, *_ in described[1] - described[0]} == {"time"}

@@ -1,0 +1,34 @@
+"""The table of variables that the FMU's door checks calls by, `limits.c`."""
+
+from fmu_build.equations.dae import Dae
+from fmu_build.equations.scalars import find_causality, find_kind, is_tunable
+from fmu_build.equations.sorting import sort_equations
+
+KINDS = {
+    2: {"real": "REAL", "integer": "INTEGER", "switch": "REAL"},
+    3: {"real": "REAL", "integer": "INTEGER", "switch": "BOOLEAN"},
+}
+"""Kinds of variables by the names of `c/limits.h`, in each standard."""
+
+
+def generate_limits(dae: Dae, token: str, fmi: int) -> str:
+    """C source of the table that `limits.h` declares, for a version of the standard; `token` is the
+    model's mark."""
+    lines = ['#include "limits.h"', f'const char *const model_token = "{token}";']
+    lines.append("const Limits limits[] = {")
+    settables = {"parameter": "SET_PARAMETER", "input": "SET_INPUT"}
+    plan = sort_equations(dae)
+    on_demand = {a.target[1] for a in (*plan.held, *plan.outputs)}
+    for index, variable in enumerate(dae.variables):
+        settable = settables.get(find_causality(dae, variable), "SET_NEVER")
+        settable = "SET_TUNABLE" if is_tunable(dae, variable) else settable
+        kind = KINDS[fmi][find_kind(variable)]
+        continuous = int(index in on_demand)
+        for element in range(variable.count):
+            low = dae.constant(variable.minimum, element)
+            high = dae.constant(variable.maximum, element)
+            least = "-UNLIMITED" if low is None else repr(low)
+            most = "UNLIMITED" if high is None else repr(high)
+            name = variable.element_name(element)
+            lines.append(f'  {{"{name}", {settable}, {kind}, {continuous}, {least}, {most}}},')
+    return "\n".join([*lines, "};", ""])

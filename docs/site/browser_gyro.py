@@ -9,14 +9,21 @@ from pathlib import Path
 from typing import Any
 
 import fmpy
+import numpy as np
 
 from fmu_build import BuildError, build_fmu
 from fmu_build.binaries.platforms import COMPILER, PORTABLE_FLAGS
+from ins_eval.mission_model.gyro_map import HARMONICS
+from ins_eval.mission_model.missions import plan_mission
+from ins_eval.mission_model.weights_cache import load_mission_weights
 from pyhrg import load_device
+from pyhrg.common.units import DEG_PER_H, NAUTICAL_MILE
 
 MODEL = "HRGSlow"
 DEVICE = "typical"
 """Gyro that the page starts with."""
+MISSION, HOURS = "car", 2.0
+"""Mission whose position error the page predicts."""
 FUNCTIONS = (
     *("Instantiate", "FreeInstance", "SetupExperiment", "EnterInitializationMode"),
     *("ExitInitializationMode", "SetReal", "SetInteger", "GetReal", "DoStep"),
@@ -49,7 +56,20 @@ def make_binary() -> dict[str, object]:
         "guid": description.guid,
         "variables": variables,
         "parameters": {name: value for name, value in values.items() if name in variables},
+        "worth": compute_harmonic_worth(),
     }
+
+
+def compute_harmonic_worth() -> dict[int, float]:
+    """Give the position error of three gyros at the mission's end, by the linear mission model.
+
+    It is in nmi per deg/h amplitude of each harmonic of the bias maps: the rms over pattern angles
+    at power-on that are independent and uniform.
+    """
+    weights = load_mission_weights(plan_mission(MISSION, HOURS)).gyros[-1]
+    pairs = {h: weights[:, 1 + 2 * i : 3 + 2 * i] for i, h in enumerate(HARMONICS)}
+    unit = DEG_PER_H / NAUTICAL_MILE
+    return {h: float(np.sqrt(np.sum(pair**2) / 2)) * unit for h, pair in pairs.items()}
 
 
 def compile_wasm(sources: Path) -> bytes:

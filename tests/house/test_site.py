@@ -24,6 +24,8 @@ LOADING = {
     *(("iframe", "src"), ("embed", "src"), ("object", "data"), ("audio", "src")),
 }
 """Elements and attributes whose address a browser loads by itself; `link` is seen to below."""
+PHONE_WIDTH = 390
+"""Width of a window, px, that every page fits."""
 NOT_LOADED = {"canonical", "next", "prev"}
 """Relations of a `link` that only name another page."""
 
@@ -119,12 +121,11 @@ def browser() -> Iterator[Any]:
 
 
 @pytest.mark.needs("chromium")
-@pytest.mark.parametrize("width", [390, 1280])
-def test_pages_fit_and_ask_for_nothing(site: Path, browser: Any, width: int) -> None:
+def test_pages_fit_a_phone_and_ask_for_nothing(site: Path, browser: Any) -> None:
     """No request out of the site's folder, no message of an error, no page wider than its window.
 
     A server shows `404.html`, by addresses from its root; nobody reads it from its folder."""
-    page = browser.new_page(viewport={"width": width, "height": 800})
+    page = browser.new_page(viewport={"width": PHONE_WIDTH, "height": 800})
     complaints: list[str] = []
     page.on("console", lambda message: complaints.append(f"{message.type}: {message.text}"))
     page.on("pageerror", lambda error: complaints.append(str(error)))
@@ -132,7 +133,7 @@ def test_pages_fit_and_ask_for_nothing(site: Path, browser: Any, width: int) -> 
     page.on("request", lambda r: None if r.url.startswith(folder) else complaints.append(r.url))
     for file in sorted(set(site.rglob("*.html")) - {site / "404.html"}):
         page.goto(file.as_uri(), wait_until="load")
-        if page.evaluate("document.documentElement.scrollWidth") > width:
+        if page.evaluate("document.documentElement.scrollWidth") > PHONE_WIDTH:
             complaints.append(f"{file.relative_to(site)} is wider than its window")
     page.close()
     assert complaints == []

@@ -2,7 +2,7 @@
 
    `host LIBRARY TOKEN SETTING...`, where a setting is KIND:REFERENCE:VALUE. Kinds: `p` and `n` a real
    and an integer parameter, `i` an input that swings between plus and minus its value, `o` an output,
-   `b` a Boolean one, `x` an input that must be refused; messages are printed after a `#`.
+   `b` a Boolean one (printed as 1 or 0), `x` an input that must be refused; messages are printed after a `#`.
    Uneven steps, and a second half that is run again from a saved, serialized state. */
 #ifdef _WIN32
 #include <windows.h>
@@ -78,10 +78,12 @@ static void print_outputs(Handle c, int step) {
     if (settings[i].kind == 'b') {
       _Bool flag;
       need(door_get(c, &settings[i].reference, 1, 2, &flag), "a Boolean output");
-      printf(" %d", flag);
+      number.value = flag;
+    } else if (settings[i].kind == 'o') {
+      need(door_get(c, &settings[i].reference, 1, 0, &number.value), "an output");
+    } else {
+      continue;
     }
-    if (settings[i].kind != 'o') continue;
-    need(door_get(c, &settings[i].reference, 1, 0, &number.value), "an output");
     printf(" %08lx%08lx", (unsigned long)(number.bits >> 32), (unsigned long)(number.bits & 0xffffffff));
   }
   printf("\n");

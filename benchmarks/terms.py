@@ -171,7 +171,7 @@ ERRORS = (
     Error("readout", "wave_angle", ("angle: harmonic 5",),
           read_angle(lambda log: triangle(5 * log.wave_angle), 5)),
     Error("bench", "table_angle", ("angle: harmonic 3",),
-          read_angle(lambda log: triangle(3 * log.table_angle), 5)),
+          channel("table_angle", lambda log: triangle(3 * log.table_angle), 5 * ARCSEC)),
     Error("damping", "amplitude", ("amplitude",), damping(1.6, 0.01)),
     Error("stiffness", "temperature", ("temperature",),
           channel("frequency_offset", lambda log: np.expm1(warm(log) / 2), 2e-3 * HZ)),

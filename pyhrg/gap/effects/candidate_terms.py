@@ -20,8 +20,9 @@ from pyhrg.device.device import Device
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.soundness.fault import TABLE_RIPPLES, FaultKind
 
-PATTERN_HARMONICS = (*range(1, 13), 16)
-"""Harmonics of the pattern angle. Chosen: all up to 12, and that of the square of the 8th."""
+PATTERN_HARMONICS = range(1, 19)
+"""Harmonics of the pattern angle. Chosen: a cause that is no sine has multiples of its harmonic;
+what is missing here of a large one is read as other terms."""
 TABLE_HARMONICS = (1, *TABLE_RIPPLES)
 """Harmonics of the table angle. Chosen."""
 RATE_HARMONICS = (1, 2, 4)
@@ -29,14 +30,14 @@ RATE_HARMONICS = (1, 2, 4)
 turning pattern. Chosen."""
 TEMPERATURE_POWERS = (1, 2, 3)
 """Powers of the temperature. Chosen."""
-HYSTERESIS_WIDTHS = (2.0, 10.0)
+HYSTERESIS_WIDTHS = (2, 5, 10, 20)
 """Widths of the temperature hysteresis, from end to end, K. Chosen."""
-THERMAL_LAGS = (600.0, 3600.0)
+THERMAL_LAGS = (600, 3600)
 """Time constants with which a part of the gyro follows the case's temperature, s. Chosen."""
 ZERO_TEMPERATURE_RATE = 0.05 / 60
 """Temperature rate at which its direction passes smoothly through zero, K/s. Chosen."""
-WARM_UP_TIMES = (60.0, 300.0, 1200.0, 6000.0)
-"""Time constants of transients after power-on, s. Chosen: about a factor of five apart."""
+WARM_UP_TIMES = (60.0, 150.0, 400.0, 1000.0, 2500.0, 6000.0)
+"""Time constants of transients after power-on, s. Chosen: about a factor of 2.5 apart."""
 SMOOTHING_TIME = 300.0
 """Time over which the slope of a noisy temperature log is taken, s. Chosen."""
 Functions = Iterator[tuple[str, str, int | None, Array]]
@@ -66,6 +67,17 @@ class CandidateTerm:
     def words(self) -> str:
         """Description for reports."""
         return f"{self.function} ({self.channel})"
+
+    @property
+    def is_curved(self) -> bool:
+        """Whether the response is linear only where it is small. That to an encoder's error is: the
+        pattern is where the gyro reads it."""
+        return not (self.is_of_each_power_on or self.is_encoder_error)
+
+    @property
+    def is_reading_error(self) -> bool:
+        """Whether the pattern is read, or the output put out, at a wrong angle."""
+        return self.function.startswith(("angle: ", "pick-off: "))
 
     @property
     def is_encoder_error(self) -> bool:

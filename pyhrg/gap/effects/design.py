@@ -1,6 +1,6 @@
 """Normal equations of a campaign: residuals, sensitivities and candidate terms, whitened."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -248,14 +248,24 @@ def discount_model_error(design: Design, model_error: Mapping[TestChannel, float
 
 def measure_power(design: Design, sizes: Sizes) -> dict[TestChannel, float]:
     """Chi-square of what groups of these sizes make in each channel of each test."""
+    return {where: power for where, power, _ in _measure_blocks(design, sizes)}
+
+
+def measure_excess(design: Design, sizes: Sizes) -> dict[TestChannel, float]:
+    """Chi-square, beyond the number of rows, of what groups of these sizes leave of the residual in
+    each channel of each test; 0 where it is smaller."""
+    return {where: left for where, _, left in _measure_blocks(design, sizes)}
+
+
+def _measure_blocks(design: Design, sizes: Sizes) -> Iterator[tuple[TestChannel, float, float]]:
     all_sizes = np.zeros(len(design.projection))
     for group, size in sizes.items():
         all_sizes[design.columns[group]] = size
-    powers = {}
     for block in design.blocks:
-        own = all_sizes[block.columns]
-        powers[block.test, block.channel] = float(own @ block.gram[:-1, :-1] @ own)
-    return powers
+        own, gram = all_sizes[block.columns], block.gram
+        power = float(own @ gram[:-1, :-1] @ own)
+        left = power + float(gram[-1, -1] - 2 * own @ gram[:-1, -1]) - block.rows
+        yield (block.test, block.channel), power, max(left, 0.0)
 
 
 def compute_excess_power(

@@ -27,6 +27,11 @@ class Jump(CandidateTerm):
     log_odds: float = 0.0
     kind: Kind = "bias"
 
+    @property
+    def is_curved(self) -> bool:
+        """It is linear in its sizes."""
+        return False
+
     def columns(self, where: Coordinates) -> Array:
         """(n, k) output angle of a test per unit of each of the k changes."""
         test = where.test

@@ -9,6 +9,7 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import (
     EACH_POWER_ON,
+    PATTERN_HARMONICS,
     CandidateTerm,
     Coordinates,
     Functions,
@@ -18,9 +19,9 @@ from pyhrg.gap.effects.candidate_terms import (
 Columns = list[tuple[CandidateTerm, Array]]
 """Terms with their (n, b) columns in one channel."""
 
-ELECTRODE_HARMONICS = (1, 3, 6)
-"""Harmonics of errors of pick-off and drive. Chosen: those that no effect of the catalogue has. A
-term must not stand in for an offset (2), a gain or an axis (0 and 4), or a cubic (8)."""
+ELECTRODE_HARMONICS = [m for m in PATTERN_HARMONICS if m not in (2, 4)]
+"""Harmonics of errors of pick-off and drive. A term must not stand in for an offset (2), a gain or
+an axis (4) of the catalogue."""
 HARMONIC = "harmonic {} of the pattern angle"
 
 

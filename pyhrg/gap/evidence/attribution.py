@@ -15,6 +15,7 @@ from pyhrg.fmu import GyroError
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue, Effect
 from pyhrg.gap.effects.design import Design, Group, LinearTest, compute_excess_power
 from pyhrg.gap.effects.sensitivities import compute_sensitivities, linearize_test
+from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2, rank_with_form_error
 from pyhrg.gap.evidence.hypothesis import (
     NO_ERROR,
     Hypothesis,
@@ -28,8 +29,6 @@ from pyhrg.gap.evidence.posterior import Posterior, average_posteriors, compare_
 from pyhrg.gap.evidence.search import Ranking
 from pyhrg.gap.evidence.step import (
     LINEARIZATION_ERROR,
-    NEGLIGIBLE_CHI2,
-    allow_term_error,
     go_halfway,
     measure_step,
     move_gyro,
@@ -144,7 +143,7 @@ class _Iteration:
     _differentiated_at: gyro at which all sensitivities were taken last.
     _linearization_error: allowed linearization error, as chi-square.
     _error_limit: upper limit of the next one.
-    _term_error: linearization error of the best set's candidate terms, which are not simulated.
+    _term_error: what the best set's candidate terms may miss.
     _visited_sets: most probable set of each round so far.
     _compared_groups: set of effects for which the noises were compared last.
     """
@@ -230,13 +229,12 @@ class _Iteration:
         return self.posterior.best
 
     def _rank(self) -> Hypothesis:
-        """Sets under the present noise. Where large terms take part, the ranking is repeated: what
-        their linear responses miss must not be read as other terms."""
+        """Sets under the present noise, at last beside what terms may miss."""
         nominal, parts, error = self._nominal, self.parts, self._linearization_error
         hypothesis = rank_under_noise(self.noise, nominal, parts, error)
-        self._term_error = {} if error else allow_term_error(hypothesis)
-        if self._term_error:
-            hypothesis = rank_under_noise(self.noise, nominal, parts, error, self._term_error)
+        self._term_error = NO_ERROR
+        if not error:
+            hypothesis, self._term_error = rank_with_form_error(hypothesis, nominal, parts)
         return hypothesis
 
     def _allow_linearization_error(self, chi2: float, hypothesis: Hypothesis) -> None:

@@ -163,12 +163,14 @@ def rank_under_noise(
     parts: Sequence[LinearTest],
     linearization_error: float = 0.0,
     term_error: TermError = NO_ERROR,
+    start: Collection[Group] = (),
 ) -> Hypothesis:
     """Rank sets of effects and candidate terms under one noise of the output angle.
 
     The linearization error is the chi-square that the linear model may get wrong in each channel of
     each test (Eq. (10)). Only where it is negligible, jumps and steps that stand out of the
-    residual are ranked too, and infeasible sizes are refused.
+    residual are ranked too, and infeasible sizes are refused. The search may start from the set
+    that is the most probable under another noise.
     """
     nominal_noise = estimate_nominal_noise(nominal, parts)
     response = model_error_power(compute_excess_power(parts, nominal_noise))
@@ -182,7 +184,7 @@ def rank_under_noise(
         rough = KnownParameters(discount_model_error(exact, error), tolerances)
         return Hypothesis(noise, channel_noise, rough, rank_sets(rough.marginal), known)
     is_feasible = make_feasibility_check(nominal, parts[0].sensitivities)
-    ranking = rank_sets(known.marginal, is_feasible)
+    ranking = rank_sets(known.marginal, is_feasible, start)
     hypothesis = Hypothesis(noise, channel_noise, known, ranking, known)
     removed = distinct_by_groups(hypothesis.sizes, hypothesis.effect_sizes)
     residuals = [
@@ -192,7 +194,7 @@ def rank_under_noise(
     if jumps := {jump for r in residuals for jump in (*find_jumps(r), *find_steps(r, quantum))}:
         exact = build_design(parts, channel_noise, sorted(jumps, key=lambda jump: jump.words))
         known = KnownParameters(discount_model_error(exact, model_error), tolerances)
-        ranking = rank_sets(known.marginal, is_feasible)
+        ranking = rank_sets(known.marginal, is_feasible, ranking.best.groups)
         hypothesis = Hypothesis(noise, channel_noise, known, ranking, known)
     return hypothesis
 

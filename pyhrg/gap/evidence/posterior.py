@@ -107,7 +107,9 @@ def compare_noises(
         """The noise of this residual, the same without each of its noises, and beside a noise
         without a name those of the catalogue. The known parameters were estimated under another
         noise, so that the residual alone does not decide between these."""
-        residuals = compute_residuals(parts, removed, best.channel_noise, nominal, ("gyro_angle",))
+        residuals = compute_residuals(
+            parts, removed, best.channel_noise, nominal, ("gyro_angle",), term_error
+        )
         noise, *named = fit_rival_noises(residuals, stated, noises)
         return [noise, *drop_each_noise(noise, residuals, stated), *named]
 
@@ -122,7 +124,8 @@ def compare_noises(
         for noise in [noise for removed in due for noise in fit_noises(removed)]:
             known = by_kind.get(noise.kind)
             if known is None or not are_equal(known.noise.noise, noise.noise):
-                rival = rank_under_noise(noise, nominal, parts, term_error=term_error)
+                start = best.ranking.best.groups
+                rival = rank_under_noise(noise, nominal, parts, 0.0, term_error, start)
                 by_kind[noise.kind] = max(known or rival, rival, key=_LOG_POSTERIOR)
         best = max(by_kind.values(), key=_LOG_POSTERIOR)
     order = sorted(by_kind.values(), key=_LOG_POSTERIOR, reverse=True)

@@ -4,7 +4,7 @@ No coordinate of a test predicts either of them (docs/methods/evidence.md, Eqs. 
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from scipy.special import expit, logsumexp
 
 from pyhrg.common.arrays import Array
-from pyhrg.gap.effects.design import TestChannel
 from pyhrg.gap.evidence.evidence import HALF_UNNAMED_ODDS, log_evidence
 from pyhrg.gap.evidence.noise.noise_posterior import TOLERANCE
 from pyhrg.gap.evidence.residuals import Residual
@@ -50,16 +49,12 @@ class ResidualFeature:
         return float(expit(self.log_odds))
 
 
-def find_residual_features(
-    residuals: Sequence[Residual], model_errors: Mapping[TestChannel, float] | None = None
-) -> tuple[ResidualFeature, ...]:
+def find_residual_features(residuals: Sequence[Residual]) -> tuple[ResidualFeature, ...]:
     """The most probable line and the most probable stretch, each with the odds of any, in residuals
     of all tests and channels. Those of a few rows, and those that are zero throughout, are left
-    out. A model error is the chi-square that the simulation may get wrong in a channel of a test.
-    """
-    model_errors = model_errors or {}
+    out."""
     usable = [r for r in residuals if len(r.values) >= 2 * MIN_READINGS and r.values.any()]
-    kinds = [list(_lines(usable, model_errors)), list(_stretches(usable, model_errors))]
+    kinds = [list(_lines(usable)), list(_stretches(usable))]
     return tuple(_combine(alternatives) for alternatives in kinds if alternatives)
 
 
@@ -71,9 +66,7 @@ def _combine(alternatives: Sequence[ResidualFeature]) -> ResidualFeature:
     return ResidualFeature(best.words, log_odds)
 
 
-def _lines(
-    residuals: Sequence[Residual], model_errors: Mapping[TestChannel, float]
-) -> Iterator[ResidualFeature]:
+def _lines(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
     """A line in each test alone, and in all tests of one row length together, by channel."""
     order = sorted(residuals, key=lambda r: (r.channel, r.interval))
     for (channel, interval), group in groupby(order, key=lambda r: (r.channel, r.interval)):
@@ -83,7 +76,7 @@ def _lines(
         size = 1 << math.ceil(math.log2(FREQUENCIES_PER_WIDTH * max(spans)))
         slowest = [math.ceil(MIN_CYCLES * size / span) for span in spans]
         powers = [
-            _spectrum(r, own, first, size) / (1 + model_errors.get((r.test, channel), 0.0))
+            _spectrum(r, own, first, size) / (1 + r.model_error)
             for r, own, first in zip(alike, rows, slowest, strict=True)
         ]
         sets = [([k], power) for k, power in enumerate(powers)]
@@ -113,12 +106,9 @@ def _spectrum(r: Residual, rows: NDArray[np.int64], slowest: int, size: int) -> 
     return np.asarray(power)
 
 
-def _stretches(
-    residuals: Sequence[Residual], model_errors: Mapping[TestChannel, float]
-) -> Iterator[ResidualFeature]:
+def _stretches(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
     """Half of a test, a quarter, and so on, each compared with the level of the whole test."""
     for r in residuals:
-        model_error = 1 + model_errors.get((r.test, r.channel), 0.0)
         for rows in BLOCK_ROWS:
             count = len(r.white) // rows
             if count < 2 * MIN_READINGS:
@@ -126,7 +116,7 @@ def _stretches(
             readings = r.white[: count * rows].reshape(count, rows).sum(axis=1)
             squares = readings**2 / np.mean(readings**2)
             variance = max(float(np.var(squares)), GAUSSIAN_SQUARE_VARIANCE)
-            information = GAUSSIAN_SQUARE_VARIANCE / variance / model_error
+            information = GAUSSIAN_SQUARE_VARIANCE / variance / (1 + r.model_error)
             summed = np.concatenate([[0.0], np.cumsum(squares)])
             length = count // 2
             while length >= MIN_READINGS:

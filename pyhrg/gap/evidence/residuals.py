@@ -9,7 +9,7 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.design import Group, LinearTest
+from pyhrg.gap.effects.design import Group, LinearTest, TestChannel
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.replay.observations import CHANNELS, Mask
@@ -33,6 +33,8 @@ class Residual:
     interval: length of a row, s.
     noise: noise model of the channel.
     unmodelled: (n,) shape that may be there (`whiten`'s last argument).
+    model_error: chi-square that the removed responses may get wrong (docs/methods/evidence.md, Eq.
+        10). It counts as noise when noises are compared.
     """
 
     test: str
@@ -42,6 +44,7 @@ class Residual:
     interval: float
     noise: NoiseModel
     unmodelled: Array | None = None
+    model_error: float = 0.0
 
     @cached_property
     def white(self) -> Array:
@@ -60,6 +63,7 @@ def compute_residuals(
     noise: CampaignNoise,
     nominal: Device,
     channels: Sequence[str] = CHANNELS,
+    model_error: Mapping[TestChannel, float] | None = None,
 ) -> list[Residual]:
     """Residuals of some channels, fields of a log, in all tests, without the groups of these sizes.
 
@@ -89,6 +93,7 @@ def compute_residuals(
                     part.test.log.interval,
                     noise.get_model(channel, part.test, rows),
                     part.unmodelled[channel][rows],
+                    (model_error or {}).get((part.test.test.id, channel), 0.0),
                 )
             )
     return residuals

@@ -11,11 +11,11 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import logsumexp
 
-from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Design, Group
 from pyhrg.gap.effects.jump import Jump
-from pyhrg.gap.evidence.evidence import EFFECT_ODDS, UNNAMED_ODDS, Fit, fit, min_free_variance
+from pyhrg.gap.evidence.evidence import EFFECT_ODDS, UNNAMED_ODDS, Fit, fit
+from pyhrg.gap.evidence.extension import Extensions
 
 Key = frozenset[int]
 """A set of groups, by their indices."""
@@ -71,11 +71,17 @@ def is_unnamed(group: Group) -> bool:
     return not isinstance(group, Effect) and group.fault is None
 
 
-def rank_sets(design: Design, is_feasible: Callable[[Fit], bool] = lambda fit: True) -> Ranking:
+def rank_sets(
+    design: Design,
+    is_feasible: Callable[[Fit], bool] = lambda fit: True,
+    start: Collection[Group] = (),
+) -> Ranking:
     """Rank sets of all groups that the tests of a campaign can see at all, of those whose fits a
-    gyro can have."""
+    gyro can have. A set that explained a similar design, and its effects alone, may be given to
+    start from."""
     groups = design.groups
     prior = _list_prior_log_odds(groups)
+    extensions = Extensions(design, groups, prior)
     fits: dict[Key, tuple[Fit, float]] = {}
     refused: set[Key] = set()
 
@@ -88,8 +94,10 @@ def rank_sets(design: Design, is_feasible: Callable[[Fit], bool] = lambda fit: T
         else:
             fits[key] = fitted, fitted.log_evidence + sum(prior[i] for i in key)
 
-    evaluate(frozenset())
     named = [i for i, group in enumerate(groups) if isinstance(group, Effect)]
+    known = frozenset(i for i, group in enumerate(groups) if group in start)
+    for key in {frozenset[int](), known, known.intersection(named)}:
+        evaluate(key)
     for allowed in (named, range(len(groups))):
         extended: set[Key] = set()
         while due := _select_next(fits, extended):
@@ -98,8 +106,7 @@ def rank_sets(design: Design, is_feasible: Callable[[Fit], bool] = lambda fit: T
                 for index in key:
                     evaluate(key - {index})
                 if len(key) < MAX_GROUPS:
-                    others = [index for index in allowed if index not in key]
-                    for index in _select_extensions(design, groups, key, prior, others):
+                    for index in extensions.list_best(key, allowed, MAX_EXTENSIONS):
                         evaluate(key | {index})
     return _normalize(list(fits.values()))
 
@@ -110,41 +117,6 @@ def _select_next(fits: Mapping[Key, tuple[Fit, float]], extended: Collection[Key
     threshold = fits[order[0]][1] - MAX_LOG_ODDS_BELOW_BEST
     is_first = len(extended) <= BEAM_WIDTH
     return [k for k in order if k not in extended and (is_first or fits[k][1] > threshold)]
-
-
-def _select_extensions(
-    design: Design,
-    groups: Sequence[Group],
-    key: Key,
-    prior: Sequence[float],
-    others: Collection[int],
-) -> list[int]:
-    """Indices of those other groups that would explain most of a set's residual, the best first."""
-    gram, projection = design.gram, design.projection
-    if key:
-        fitted = np.concatenate([design.columns[groups[i]] for i in key])
-        coefficients = np.linalg.solve(gram[np.ix_(fitted, fitted)], gram[fitted])
-        projection = projection - projection[fitted] @ coefficients
-        gram = gram - gram[:, fitted] @ coefficients
-    scores = {}
-    for index in others:
-        where = design.columns[groups[index]]
-        own = gram[where[:, None], where]
-        power = _explained_power(own, projection[where], min_free_variance(groups[index]))
-        scores[index] = power / 2 + prior[index]
-    return sorted(scores, key=lambda i: -scores[i])[:MAX_EXTENSIONS]
-
-
-def _explained_power(gram: Array, projection: Array, min_variance: float) -> float:
-    """Decrease of chi-square by d columns beside a fitted set. `gram`, (d, d), and the (d,)
-    products with the residual are orthogonal to the set. Directions in which the set leaves too
-    little of the columns, eigenvalues of `gram` below a threshold, count nothing."""
-    if len(projection) == 1:
-        return float(projection[0] ** 2 / gram[0, 0]) if gram[0, 0] > min_variance else 0.0
-    values, vectors = np.linalg.eigh(gram)
-    along = vectors.T @ projection
-    kept = values > min_variance
-    return float((along[kept] ** 2 / values[kept]).sum())
 
 
 def _list_prior_log_odds(groups: Sequence[Group]) -> list[float]:

@@ -43,13 +43,15 @@ def check_residuals(attribution: Attribution) -> tuple[ResidualFeature, ...]:
     is_coarse = is_coarsely_quantized(attribution.noise, nominal)
     channels = CHANNELS[1:] if is_coarse else CHANNELS
     sizes = attribution.posterior.best.sizes
-    residuals = [
-        r
-        for r in compute_residuals(attribution.parts, sizes, noise, nominal, channels)
-        if not (r.channel in noise.per_kelvin and noise.reading_steps[r.test])
-    ]
-    model_errors = {(b.test, b.channel): b.model_error for b in attribution.design.blocks}
-    return find_residual_features(residuals, model_errors)
+    errors = {(b.test, b.channel): b.model_error for b in attribution.design.blocks}
+    residuals = compute_residuals(attribution.parts, sizes, noise, nominal, channels, errors)
+    return find_residual_features(
+        [
+            r
+            for r in residuals
+            if not (r.channel in noise.per_kelvin and noise.reading_steps[r.test])
+        ]
+    )
 
 
 def reach_verdict(

@@ -51,7 +51,7 @@ LOST_ROWS = FaultKind("lost_rows", "record", "lost_rows_percent", 1.0)
 OUTLIERS = FaultKind("outliers", "record", "outliers_percent", 0.3)
 """Share of rows with a wrong reading."""
 TABLE_RIPPLES = {
-    m: FaultKind("table_ripple", "bench", f"table_ripple_{m}_arcsec", 0.3) for m in (2, 3, 4, 8)
+    m: FaultKind("table_ripple", "bench", f"table_ripple_{m}_arcsec", 0.3) for m in range(2, 10)
 }
 """Amplitude by which encoder and gyro differ, by the harmonic of the table angle. The first is an
 eccentric encoder, a known parameter."""

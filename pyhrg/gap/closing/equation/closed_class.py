@@ -10,6 +10,7 @@ from typing import Any
 from pyhrg.device.device import Device
 from pyhrg.gap.closing.equation.places import Acting, find_acting
 from pyhrg.gap.closing.equation.proposal import as_candidate, list_coefficients
+from pyhrg.gap.effects.candidate_terms import HYSTERESIS_WIDTHS, THERMAL_LAGS
 from pyhrg.gap.findings.term import Term
 
 CLASS = "closed"
@@ -69,11 +70,11 @@ SAMPLED = {
     **{f"play{width}": (f"Temperature of the case with a play of {width} K, over 1 K",
                         f"caseWarmth + pre(started)*(abs(pre(play{width}) - caseWarmth + {width}/2)"
                         f" - abs(pre(play{width}) - caseWarmth - {width}/2))/2")
-       for width in (2, 10)},
+       for width in HYSTERESIS_WIDTHS},
     **{f"lagging{lag}": (f"Temperature of the case behind a lag of {lag} s, over 1 K",
                          f"pre(lagging{lag}) + (caseWarmth - pre(lagging{lag}))"
                          f"*(1 - {math.exp(-0.01 / lag)!r}*pre(started))")
-       for lag in (600, 3600)},
+       for lag in THERMAL_LAGS},
     "freeDecay": ("Logarithm of what such damping takes of the amplitude",
                   "pre(freeDecay) + 0.01*pre(started)*(1 - driveOn)*freeDamping"),
     "started": ("1 from the first sample on", "1"),

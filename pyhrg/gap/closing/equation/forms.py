@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from pyhrg.common.units import DEG
-from pyhrg.gap.effects.candidate_terms import CandidateTerm
+from pyhrg.gap.effects.candidate_terms import HYSTERESIS_WIDTHS, THERMAL_LAGS, CandidateTerm
 
 TERM_SCALE = 10.0
 """Temperature, K, and specific force, m/s^2, over which candidate terms are taken."""
@@ -49,8 +49,8 @@ COORDINATE_OF = {
     "amplitudeExcess": "amplitude",
     "hours": "time",
     **{coordinate.name: "acceleration" for coordinate in FORCES.values()},
-    **{f"play{width}": "temperature" for width in (2, 10)},
-    **{f"lagging{lag}": "temperature" for lag in (600, 3600)},
+    **{f"play{width}": "temperature" for width in HYSTERESIS_WIDTHS},
+    **{f"lagging{lag}": "temperature" for lag in THERMAL_LAGS},
 }
 """Coordinate of the campaign format that a variable of the written class belongs to."""
 

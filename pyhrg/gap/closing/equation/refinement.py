@@ -20,9 +20,9 @@ from pyhrg.gap.effects.design import LinearTest, whiten_rows
 from pyhrg.gap.effects.sensitivities import linearize_test
 from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.evidence.attribution import Attribution
-from pyhrg.gap.evidence.hypothesis import TermError, rank_under_noise
+from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2, rank_with_form_error
+from pyhrg.gap.evidence.hypothesis import rank_under_noise
 from pyhrg.gap.evidence.posterior import Posterior, compare_noises
-from pyhrg.gap.evidence.step import NEGLIGIBLE_CHI2, allow_term_error, is_curved
 from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels, replay_sampled
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
@@ -41,16 +41,17 @@ def refine_terms(
     simulation: Simulation, attribution: Attribution, noises: Sequence[NoiseEffect]
 ) -> Attribution:
     """Repeat the search around the device with the written terms of its most probable set, until
-    the terms stay. A search that did not converge is left as it is."""
+    the terms stay. A search that did not converge is left as it is, as is one without terms."""
     first = attribution.parts
     without: dict[int, ChannelValues] = {}
-    simulated, used = None, allow_term_error(attribution.posterior.best)
     for _ in range(MAX_ROUNDS):
-        best, sizes = attribution.posterior.best, _list_curved(attribution.posterior)
-        if not sizes or not attribution.settled:
+        groups = attribution.ranking.best.groups
+        if not attribution.settled or not any(isinstance(g, CandidateTerm) for g in groups):
             break
-        fmu = load_closed_fmu(attribution.device, make_terms(attribution.posterior, list(sizes)))
-        parts = list(first)
+        sizes, parts = _list_curved(attribution.posterior), list(first)
+        if sizes:
+            terms = make_terms(attribution.posterior, list(sizes))
+            fmu = load_closed_fmu(attribution.device, terms)
         for i in find_moved_tests(first, sizes, attribution.channel_noise):
             part = first[i]
             if i not in without:
@@ -58,15 +59,9 @@ def refine_terms(
             on, off = replay_sampled(fmu, part.device, part.test.inputs), without[i]
             answers = add_channels(part.simulated, {name: on[name] - off[name] for name in off})
             parts[i] = _linearize(simulation, attribution.nominal, part, answers, sizes)
-        is_same = _measure_change(attribution, parts, sizes) < NEGLIGIBLE_CHI2
-        error = allow_term_error(best, sizes if is_same else simulated)
-        if is_same and error.keys() == used.keys():
+        attribution = _search_around(attribution, tuple(parts), noises)
+        if _have_converged(attribution.posterior, sizes):
             break
-        attribution = _search_around(attribution, tuple(parts), noises, error)
-        left = allow_term_error(attribution.posterior.best, sizes)
-        if left.keys() == error.keys() and _have_converged(attribution.posterior, sizes):
-            break
-        simulated, used = sizes, error
     return attribution
 
 
@@ -82,7 +77,7 @@ def list_sizes(posterior: Posterior) -> dict[CandidateTerm, Array]:
 
 def _list_curved(posterior: Posterior) -> dict[CandidateTerm, Array]:
     """Size of each of these terms whose response is linear only where it is small."""
-    return {term: size for term, size in list_sizes(posterior).items() if is_curved(term)}
+    return {term: size for term, size in list_sizes(posterior).items() if term.is_curved}
 
 
 def find_moved_tests(parts: Sequence[LinearTest], sizes: Sizes, noise: CampaignNoise) -> list[int]:
@@ -98,29 +93,14 @@ def find_moved_tests(parts: Sequence[LinearTest], sizes: Sizes, noise: CampaignN
 
 
 def _search_around(
-    attribution: Attribution,
-    parts: tuple[LinearTest, ...],
-    noises: Sequence[NoiseEffect],
-    error: TermError,
+    attribution: Attribution, parts: tuple[LinearTest, ...], noises: Sequence[NoiseEffect]
 ) -> Attribution:
     """The search with newly linearized tests."""
-    nominal = attribution.nominal
-    first = rank_under_noise(attribution.posterior.best.noise, nominal, parts, term_error=error)
+    nominal, best = attribution.nominal, attribution.posterior.best
+    known = rank_under_noise(best.noise, nominal, parts, start=best.ranking.best.groups)
+    first, error = rank_with_form_error(known, nominal, parts)
     posterior = compare_noises(first, nominal, parts, noises, error)
     return replace(attribution, parts=parts, posterior=posterior)
-
-
-def _measure_change(attribution: Attribution, parts: Sequence[LinearTest], sizes: Sizes) -> float:
-    """Chi-square, over all tests and channels, of what the new linearization changes in the
-    residual beside the terms."""
-    total = 0.0
-    for old, new in zip(attribution.parts, parts, strict=True):
-        for name in CHANNELS if new is not old else ():
-            left = [part.residual[name] - _respond(part, name, sizes) for part in (old, new)]
-            change = (left[1] - left[0])[:, None]
-            white = whiten_rows(new, name, change, attribution.channel_noise).series
-            total += float((white**2).sum())
-    return total
 
 
 def _respond(part: LinearTest, channel: str, sizes: Sizes) -> Array:

@@ -40,7 +40,8 @@ def log_likelihood(residuals: Sequence[Residual], noise: NoiseModel) -> float:
     for residual in residuals:
         own = noise.add_reading_noise(residual.noise.reading_noise)
         white = whiten(residual.values[:, None], residual.steps, own)
-        total -= (float((white.series**2).sum()) + white.log_determinant) / 2
+        deviance = float((white.series**2).sum()) + white.log_determinant
+        total -= deviance / 2 / (1 + residual.model_error)
     return total
 
 

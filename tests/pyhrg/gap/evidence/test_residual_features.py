@@ -21,10 +21,10 @@ def found(
 ) -> list[ResidualFeature]:
     """A line and a stretch, in tests of 1 s a row."""
     rest = [
-        Residual(f"t{i}", "gyro_angle", x, np.ones(len(x)), 1.0, noise)
+        Residual(f"t{i}", "gyro_angle", x, np.ones(len(x)), 1.0, noise, model_error=wrong)
         for i, x in enumerate(series)
     ]
-    return list(find_residual_features(rest, {(r.test, r.channel): wrong for r in rest}))
+    return list(find_residual_features(rest))
 
 
 def steady(seed: int) -> list[Array]:

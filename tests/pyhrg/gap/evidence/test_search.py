@@ -5,7 +5,8 @@ import numpy as np
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import DETERMINISTIC
 from pyhrg.gap.effects.design import Design
-from pyhrg.gap.evidence.evidence import Fit
+from pyhrg.gap.evidence.evidence import Fit, fit
+from pyhrg.gap.evidence.extension import Extensions
 from pyhrg.gap.evidence.search import Ranking, rank_sets
 
 ROWS = 4000
@@ -44,3 +45,33 @@ def test_groups_come_in_the_order_of_their_sets() -> None:
     orders = [(b, a), (b,), (a, *more)]
     fits = tuple(Fit(groups, 0.0, 0.0, (), ()) for groups in orders)
     assert Ranking(fits, (0.5, 0.3, 0.2), 0.0).groups == (b, a, *more)
+
+
+def test_the_next_groups_are_those_that_explain_most_beside_a_set() -> None:
+    generator = np.random.default_rng(2)
+    sizes = [1, 2, 1, 2, 3, 1, 2]
+    ends = np.cumsum(sizes)
+    columns = generator.standard_normal((ROWS, ends[-1]))
+    columns[:, 1] += columns[:, 0]
+    columns /= np.linalg.norm(columns, axis=0)
+    residual = columns @ (20 * generator.standard_normal(ends[-1]))
+    terms = [CandidateTerm("amplitude", "time", f"{i}") for i in range(len(sizes))]
+    where = [np.arange(end - size, end) for end, size in zip(ends, sizes, strict=True)]
+    design = Design(
+        columns.T @ columns,
+        columns.T @ residual,
+        float(residual @ residual),
+        dict(zip(terms, where, strict=True)),
+        np.ones(ends[-1]),
+        (),
+    )
+    prior = list(generator.standard_normal(len(terms)))
+    extensions = Extensions(design, terms, prior)
+    for key in ({0}, {1, 4}, set[int]()):
+        explained = {
+            i: fitted.explained / 2 + prior[i]
+            for i in range(len(terms))
+            if i not in key and (fitted := fit(design, [terms[j] for j in (*key, i)]))
+        }
+        expected = sorted(explained, key=lambda i: -explained[i])
+        assert extensions.list_best(key, range(len(terms)), 3) == expected[:3]

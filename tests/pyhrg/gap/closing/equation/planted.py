@@ -60,8 +60,10 @@ def plant_electrode_error(
 
         def rate(course: Course, start: float) -> Array:
             angle = find_ideal_pattern_angle(NOMINAL, course, start)
-            level = course.each("amplitude_setpoint")
-            return np.asarray(unit * shape(angle, level) * GROWTH * course.each("drive_on"))
+            level = course.each("amplitude_setpoint") / NOMINAL.amplitude
+            before = np.vstack([np.ones_like(level[:1]), level[:-1]])
+            growth = GROWTH + np.log(level / before) / course.interval
+            return np.asarray(unit * shape(angle, level) * growth * course.each("drive_on"))
 
         def show(log: Log) -> Log:
             return shift_angle(log, unit * shape(log.wave_angle, log.amplitude))

@@ -7,6 +7,7 @@ from pyhrg.common.units import DEG
 from pyhrg.gap.closing.equation.forms import express_term
 from pyhrg.gap.closing.equation.places import GROWTH, find_acting
 from pyhrg.gap.effects.candidate_terms import (
+    HYSTERESIS_WIDTHS,
     CandidateTerm,
     Coordinates,
     _follow_with_lag,
@@ -32,7 +33,7 @@ def _evaluate(modelica: str, where: Coordinates) -> np.ndarray:
         "amplitudeExcess": where.amplitude,
         "hours": log.time / 3600,
         **{f"force{a}": getattr(log, f"acceleration_{a.lower()}") for a in "XYZ"},
-        **{f"play{width}": _follow_with_play(where.case, float(width)) for width in (2, 10)},
+        **{f"play{w}": _follow_with_play(where.case, w) for w in HYSTERESIS_WIDTHS},
         **{
             f"lagging{lag}": _follow_with_lag(where.case, lag / log.interval, where.case[0])
             for lag in (600, 3600)

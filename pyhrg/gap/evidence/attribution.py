@@ -6,6 +6,7 @@ is repeated around it until it moves no more. Sizes always count from the nomina
 """
 
 import math
+from collections import deque
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -108,7 +109,7 @@ def attribute_gap(
     """Find the effects and noises of the catalogue that make the gap in tests that may be fitted
     to. `report` is called with a line of text at each step."""
     iteration = _Iteration(simulation, nominal, tests, catalogue)
-    posteriors: list[Posterior] = []
+    posteriors = deque[Posterior](maxlen=UNSETTLED_ROUNDS)
     for number in range(1, MAX_ROUNDS + 1):
         report(f"round {number}: simulating")
         iteration.simulate()
@@ -125,7 +126,7 @@ def attribute_gap(
     return Attribution(
         nominal,
         iteration.device,
-        posteriors[-1] if has_converged else average_posteriors(posteriors[-UNSETTLED_ROUNDS:]),
+        posteriors[-1] if has_converged else average_posteriors(posteriors),
         tuple(iteration.parts),
         iteration.nominal_answers,
         has_converged,

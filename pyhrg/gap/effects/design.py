@@ -1,5 +1,6 @@
 """Normal equations of a campaign: residuals, sensitivities and candidate terms, whitened."""
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -252,8 +253,8 @@ def measure_power(design: Design, sizes: Sizes) -> dict[TestChannel, float]:
 
 
 def measure_excess(design: Design, sizes: Sizes) -> dict[TestChannel, float]:
-    """Chi-square, beyond the number of rows, of what groups of these sizes leave of the residual in
-    each channel of each test; 0 where it is smaller."""
+    """Chi-square, beyond that of the noise, that groups of these sizes may leave of the residual in
+    each channel of each test: the upper end of its 95 % interval."""
     return {where: left for where, _, left in _measure_blocks(design, sizes)}
 
 
@@ -265,7 +266,7 @@ def _measure_blocks(design: Design, sizes: Sizes) -> Iterator[tuple[TestChannel,
         own, gram = all_sizes[block.columns], block.gram
         power = float(own @ gram[:-1, :-1] @ own)
         left = power + float(gram[-1, -1] - 2 * own @ gram[:-1, -1]) - block.rows
-        yield (block.test, block.channel), power, max(left, 0.0)
+        yield (block.test, block.channel), power, max(left + 2 * math.sqrt(2 * block.rows), 0.0)
 
 
 def compute_excess_power(

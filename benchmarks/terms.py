@@ -40,6 +40,7 @@ from tests.pyhrg.gap.closing.equation.planted import (
     plant_electrode_error,
     record_planted,
     shift_angle,
+    triangle,
 )
 from tests.pyhrg.gap.soundness.conftest import NOMINAL
 
@@ -69,11 +70,6 @@ def bias(shape: Callable[[Course, float], Array], deg_h: float) -> Disturb:
 def of_pattern(shape: Callable[[Array], Array]) -> Callable[[Course, float], Array]:
     """A function of the pattern angle along a course."""
     return lambda course, start: shape(find_ideal_pattern_angle(NOMINAL, course, start))
-
-
-def triangle(angle: Array) -> Array:
-    """A triangular wave: a cosine with a ninth of its third harmonic, and less of others."""
-    return np.asarray(2 / math.pi * np.arcsin(np.cos(angle)))
 
 
 def read_angle(shape: Callable[[Log], Array], arcsec: float) -> Disturb:

@@ -4,6 +4,8 @@ A term of pick-off, drive or damping shows in more than one way: the forces of t
 the pick-off shows, and a force is as wrong as the drive (docs/methods/effects.md, Eqs. 4 to 5c).
 """
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from pyhrg.common.arrays import Array
@@ -39,6 +41,15 @@ def build_term_columns(where: Coordinates, channel: str) -> Columns:
     if channel in ("amplitude_force", "quadrature_force"):
         terms += _build_drive_gains(where, channel)
     return terms
+
+
+def compute_response(
+    where: Coordinates, channel: str, sizes: Mapping[CandidateTerm, Array]
+) -> Array:
+    """(n,) response of a channel to terms of these sizes, (d,) each, in units of their columns."""
+    columns = dict(build_term_columns(where, channel))
+    own = [columns[term] @ size for term, size in sizes.items() if term in columns]
+    return np.asarray(sum(own, np.zeros(len(where.pattern_angle))))
 
 
 def _make_term(

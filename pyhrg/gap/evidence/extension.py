@@ -26,17 +26,17 @@ class _Alike:
     min_variance: Array
     prior: Array
 
-    def score(self, gram: Array, projection: Array, fitted: NDArray[np.int64]) -> Array:
-        """(m,) log odds that each group would add to a set with these columns of the design: its
-        prior, and half the decrease of chi-square. Directions in which the set leaves too little of
-        its columns count nothing."""
+    def score(
+        self, gram: Array, projection: Array, fitted: NDArray[np.int64], shares: Array
+    ) -> Array:
+        """(m,) log odds that each group would add to a set with k columns of the design, `fitted`:
+        its prior, and half the decrease of chi-square. `shares`, (k, p): how much of each column of
+        the set is in each column of the design. Directions in which the set leaves too little of a
+        group's columns count nothing."""
+        shared, own_shares = gram[self.columns][:, :, fitted], shares[:, self.columns]
         own = gram[self.columns[:, :, None], self.columns[:, None, :]]
-        along = projection[self.columns]
-        if len(fitted):
-            shared = gram[self.columns][:, :, fitted]
-            shares = np.linalg.solve(gram[np.ix_(fitted, fitted)], gram[fitted])[:, self.columns]
-            own = own - np.einsum("mak,kmb->mab", shared, shares)
-            along = along - np.einsum("kma,k->ma", shares, projection[fitted])
+        own = own - np.einsum("mak,kmb->mab", shared, own_shares)
+        along = projection[self.columns] - np.einsum("kma,k->ma", own_shares, projection[fitted])
         values, vectors = np.linalg.eigh(own)
         powers = np.einsum("mai,ma->mi", vectors, along) ** 2
         is_free = values > self.min_variance[:, None]
@@ -45,32 +45,42 @@ class _Alike:
 
 
 class Extensions:
-    """Groups of a design, by their number of columns, with prior log odds."""
+    """Those groups of a design that may be added to a set, with prior log odds.
 
-    def __init__(self, design: Design, groups: Sequence[Group], prior: Sequence[float]) -> None:
+    groups, prior: of the whole design; `allowed`: indices of those that may be added.
+    """
+
+    def __init__(
+        self,
+        design: Design,
+        groups: Sequence[Group],
+        prior: Sequence[float],
+        allowed: Collection[int],
+    ) -> None:
         self._design = design
         self._columns = [design.columns[group] for group in groups]
-        self._prior = np.array(prior)
-        sizes = np.array([len(own) for own in self._columns])
-        free = np.array([min_free_variance(group) for group in groups])
+        by_size: dict[int, list[int]] = {}
+        for i in allowed:
+            by_size.setdefault(len(self._columns[i]), []).append(i)
         self._alike = [
             _Alike(
-                np.flatnonzero(sizes == size),
-                np.array([own for own in self._columns if len(own) == size]),
-                free[sizes == size],
-                self._prior[sizes == size],
+                np.array(own),
+                np.array([self._columns[i] for i in own]),
+                np.array([min_free_variance(groups[i]) for i in own]),
+                np.array([prior[i] for i in own]),
             )
-            for size in np.unique(sizes)
+            for own in by_size.values()
         ]
 
-    def list_best(self, key: Collection[int], allowed: Collection[int], count: int) -> list[int]:
-        """Indices of those allowed groups that a set lacks and that would explain most of what it
-        leaves, the best first."""
+    def list_best(self, key: Collection[int], count: int) -> list[int]:
+        """Indices of those groups that a set lacks and that would explain most of what it leaves,
+        the best first."""
         gram, projection = self._design.gram, self._design.projection
         fitted = np.concatenate([np.zeros(0, dtype=np.int64), *(self._columns[i] for i in key)])
+        shares = np.linalg.solve(gram[np.ix_(fitted, fitted)], gram[fitted])
         scores = np.full(len(self._columns), -np.inf)
         for alike in self._alike:
-            scores[alike.indices] = alike.score(gram, projection, fitted)
-        others = np.array([i for i in allowed if i not in key], dtype=np.int64)
-        order = np.argsort(-scores[others], kind="stable")[:count]
-        return [int(i) for i in others[order]]
+            scores[alike.indices] = alike.score(gram, projection, fitted, shares)
+        scores[list(key)] = -np.inf
+        order = np.argsort(-scores, kind="stable")[:count]
+        return [int(i) for i in order if scores[i] > -np.inf]

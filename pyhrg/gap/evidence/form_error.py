@@ -20,7 +20,7 @@ from pyhrg.gap.effects.design import (
     measure_power,
     whiten_rows,
 )
-from pyhrg.gap.effects.term_columns import build_term_columns
+from pyhrg.gap.effects.term_columns import compute_response
 from pyhrg.gap.evidence.hypothesis import Hypothesis, TermError, rank_under_noise
 from pyhrg.gap.replay.observations import CHANNELS
 
@@ -60,10 +60,9 @@ def _allow_form_error(hypothesis: Hypothesis, parts: Sequence[LinearTest]) -> Te
     if not terms:
         return {}
     powers = measure_power(hypothesis.exact.whole, dict[Group, Array](terms))
-    readings = [(g, size) for g, size in terms if g.is_reading_error]
+    readings = {g: size for g, size in terms if g.is_reading_error}
     for part in parts if readings else ():
-        columns = dict(build_term_columns(part.where, "gyro_angle"))
-        angle = np.sum([columns[g] @ size for g, size in readings], axis=0)[:, None]
+        angle = compute_response(part.where, "gyro_angle", readings)[:, None]
         for channel in CHANNELS[1:]:
             moved = part.at_measured_angle(np.zeros_like(angle), angle, channel)
             white = whiten_rows(part, channel, moved, hypothesis.channel_noise).series

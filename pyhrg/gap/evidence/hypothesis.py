@@ -35,7 +35,7 @@ Derived: two simulators of the same physics, written independently, agree to 1e-
 
 
 TermError = Mapping[TestChannel, float]
-"""Chi-square that candidate terms may get wrong in a channel of a test (Eq. (10)); 0 elsewhere."""
+"""Chi-square that candidate terms may get wrong in a channel of a test (Eq. (10a)); 0 elsewhere."""
 NO_ERROR: TermError = {}
 SIGNIFICANT_SIGMA = 3.0
 """Departure of a known parameter, in its standard deviation, above which it counts as off. Chosen:

@@ -81,7 +81,6 @@ def rank_sets(
     start from."""
     groups = design.groups
     prior = _list_prior_log_odds(groups)
-    extensions = Extensions(design, groups, prior)
     fits: dict[Key, tuple[Fit, float]] = {}
     refused: set[Key] = set()
 
@@ -99,6 +98,7 @@ def rank_sets(
     for key in {frozenset[int](), known, known.intersection(named)}:
         evaluate(key)
     for allowed in (named, range(len(groups))):
+        extensions = Extensions(design, groups, prior, allowed)
         extended: set[Key] = set()
         while due := _select_next(fits, extended):
             extended.update(due)
@@ -106,7 +106,7 @@ def rank_sets(
                 for index in key:
                     evaluate(key - {index})
                 if len(key) < MAX_GROUPS:
-                    for index in extensions.list_best(key, allowed, MAX_EXTENSIONS):
+                    for index in extensions.list_best(key, MAX_EXTENSIONS):
                         evaluate(key | {index})
     return _normalize(list(fits.values()))
 

@@ -18,7 +18,7 @@ from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import NoiseEffect
 from pyhrg.gap.effects.design import LinearTest, whiten_rows
 from pyhrg.gap.effects.sensitivities import linearize_test
-from pyhrg.gap.effects.term_columns import build_term_columns
+from pyhrg.gap.effects.term_columns import compute_response
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2, rank_with_form_error
 from pyhrg.gap.evidence.hypothesis import rank_under_noise
@@ -85,7 +85,7 @@ def find_moved_tests(parts: Sequence[LinearTest], sizes: Sizes, noise: CampaignN
     least `NEGLIGIBLE_CHI2`. Elsewhere the FMU with them need not run."""
 
     def measure(part: LinearTest) -> float:
-        changes = {name: _respond(part, name, sizes)[:, None] for name in CHANNELS}
+        changes = {name: compute_response(part.where, name, sizes)[:, None] for name in CHANNELS}
         white = [whiten_rows(part, name, c, noise).series for name, c in changes.items() if c.any()]
         return sum(float((series**2).sum()) for series in white)
 
@@ -101,13 +101,6 @@ def _search_around(
     first, error = rank_with_form_error(known, nominal, parts)
     posterior = compare_noises(first, nominal, parts, noises, error)
     return replace(attribution, parts=parts, posterior=posterior)
-
-
-def _respond(part: LinearTest, channel: str, sizes: Sizes) -> Array:
-    """(n,) response of the terms in a channel."""
-    columns = dict(build_term_columns(part.where, channel))
-    own = [columns[term] @ size for term, size in sizes.items() if term in columns]
-    return np.asarray(sum(own, np.zeros(len(part.residual[channel]))))
 
 
 def _linearize(
@@ -127,7 +120,7 @@ def _linearize(
     )
     residual = dict(around.residual)
     for channel in residual:
-        residual[channel] = residual[channel] + _respond(around, channel, sizes)
+        residual[channel] = residual[channel] + compute_response(around.where, channel, sizes)
     turned = residual["gyro_angle"] - around.residual["gyro_angle"]
     for channel in residual:
         if channel != "gyro_angle":

@@ -66,7 +66,7 @@ def test_the_next_groups_are_those_that_explain_most_beside_a_set() -> None:
         (),
     )
     prior = list(generator.standard_normal(len(terms)))
-    extensions = Extensions(design, terms, prior)
+    extensions = Extensions(design, terms, prior, range(len(terms)))
     for key in ({0}, {1, 4}, set[int]()):
         explained = {
             i: fitted.explained / 2 + prior[i]
@@ -74,4 +74,4 @@ def test_the_next_groups_are_those_that_explain_most_beside_a_set() -> None:
             if i not in key and (fitted := fit(design, [terms[j] for j in (*key, i)]))
         }
         expected = sorted(explained, key=lambda i: -explained[i])
-        assert extensions.list_best(key, range(len(terms)), 3) == expected[:3]
+        assert extensions.list_best(key, 3) == expected[:3]

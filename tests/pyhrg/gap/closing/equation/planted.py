@@ -44,6 +44,11 @@ def record_planted(
     return Campaign("planted", NOMINAL.site, stated(NOMINAL), tuple(tests))
 
 
+def triangle(angle: Array) -> Array:
+    """A triangular wave: a cosine with a ninth of its third harmonic, and less of others."""
+    return np.asarray(2 / np.pi * np.arcsin(np.cos(angle)))
+
+
 def shift_angle(log: Log, error: Array) -> Log:
     """A log whose angles are read with an error of the output angle, rad."""
     return replace(log, gyro_angle=log.gyro_angle + error, wave_angle=log.wave_angle - GAIN * error)

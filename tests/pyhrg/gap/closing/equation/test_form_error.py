@@ -1,20 +1,12 @@
 """A cause whose form no candidate term has is not read as a swarm of terms, effects and noises."""
 
-import numpy as np
-
 from pyhrg.challenge.campaigns.gyro import Disturbance
-from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC
 from pyhrg.gap.diagnose import diagnose
 from pyhrg.gap.effects.catalogue import Catalogue
 from pyhrg.gap.replay.simulation import Simulation
-from tests.pyhrg.gap.closing.equation.planted import record_planted, shift_angle
+from tests.pyhrg.gap.closing.equation.planted import record_planted, shift_angle, triangle
 from tests.pyhrg.gap.test_diagnose import FEW
-
-
-def triangle(angle: Array) -> Array:
-    """A cosine, a ninth of its third harmonic, and less of others."""
-    return np.asarray(2 / np.pi * np.arcsin(np.cos(angle)))
 
 
 def test_a_triangular_error_of_the_angle_is_its_harmonics(simulation: Simulation) -> None:

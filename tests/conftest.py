@@ -2,7 +2,9 @@
 
 import signal
 import zipfile
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -11,6 +13,7 @@ from fmu_build.bundle import build_fmu
 from fmu_build.roots import ROOTS
 from pyhrg.fmu import GyroFmu
 from tests.programs import (  # noqa: F401 (hooks of pytest)
+    find_chromium,
     pytest_configure,
     pytest_runtest_setup,
     pytest_terminal_summary,
@@ -22,6 +25,16 @@ def interruptible() -> None:
     """Interruptions reach these processes, also in a script's background job, whose shell ignores
     them."""
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    """A headless Chromium of playwright."""
+    api = pytest.importorskip("playwright.sync_api")
+    with api.sync_playwright() as playwright:
+        running = playwright.chromium.launch(executable_path=find_chromium())
+        yield running
+        running.close()
 
 
 @pytest.fixture(scope="session")

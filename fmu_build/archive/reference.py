@@ -91,7 +91,7 @@ def _inputs(stop: float, variables: Sequence[ModelVariable]) -> NDArray[np.void]
     table = np.zeros(POINTS + 1, dtype=[(column, np.float64) for column in columns])
     table["time"] = np.arange(POINTS + 1) * (stop / POINTS)
     for variable in inputs:
-        table[variable.name] = {"true": 1.0, "false": 0.0}.get(variable.start) or variable.start
+        table[variable.name] = {"true": 1.0, "false": 0.0}.get(variable.start, variable.start)
         if variable.name in STIMULUS:
             times, values = zip(*STIMULUS[variable.name], strict=True)
             table[variable.name] = np.interp(np.arange(POINTS + 1) / POINTS, times, values)

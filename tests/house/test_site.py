@@ -5,7 +5,6 @@ import os
 import re
 import subprocess
 import sys
-from collections.abc import Iterator
 from html.parser import HTMLParser
 from importlib import import_module
 from importlib.metadata import entry_points
@@ -13,10 +12,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-
-from tests.programs import find_chromium
-
-api = pytest.importorskip("playwright.sync_api")
 
 ROOT = Path(__file__).parents[2]
 LOADING = {
@@ -110,14 +105,6 @@ def test_a_tutorial_is_a_notebook_too(site: Path) -> None:
     assert code[-1].startswith("!hrg nav --trajectory car")
     page = (site / "tutorials" / "fly.html").read_text(encoding="utf-8")
     assert 'href="fly.ipynb"' in page
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    with api.sync_playwright() as playwright:
-        running = playwright.chromium.launch(executable_path=find_chromium())
-        yield running
-        running.close()
 
 
 @pytest.mark.needs("chromium")

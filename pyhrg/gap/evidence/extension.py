@@ -45,7 +45,7 @@ class _Alike:
 
 
 class Extensions:
-    """Those groups of a design that may be added to a set, with prior log odds.
+    """Groups of a design that may be added to a set, with prior log odds.
 
     groups, prior: of the whole design; `allowed`: indices of those that may be added.
     """

@@ -16,9 +16,6 @@ from ins_eval.study.summary.predict_error import predict_from_study
 from ins_eval.study.tables import columns as c
 from tests.ins_eval.study.report.colours import SMALLEST_DIFFERENCE, measure_difference
 from tests.ins_eval.study.report.synthetic import MISSIONS, synthetic
-from tests.programs import find_chromium
-
-api = pytest.importorskip("playwright.sync_api")
 
 pytestmark = pytest.mark.needs("chromium")
 
@@ -39,14 +36,6 @@ def address(result: StudyData, tmp_path_factory: pytest.TempPathFactory) -> str:
     folder: Path = tmp_path_factory.mktemp("report")
     write_page(result, folder)
     return (folder / "report.html").as_uri()
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    with api.sync_playwright() as playwright:
-        running = playwright.chromium.launch(executable_path=find_chromium())
-        yield running
-        running.close()
 
 
 @pytest.fixture

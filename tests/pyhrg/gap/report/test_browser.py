@@ -10,9 +10,6 @@ from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.report.figures.panels import compute_panels
 from pyhrg.gap.report.figures.views import VIEWS
 from pyhrg.gap.report.page import build_page
-from tests.programs import find_chromium
-
-api = pytest.importorskip("playwright.sync_api")
 
 pytestmark = pytest.mark.needs("chromium")
 
@@ -22,14 +19,6 @@ def address(with_gap: CampaignDiagnosis, tmp_path_factory: pytest.TempPathFactor
     file: Path = tmp_path_factory.mktemp("report") / "report.html"
     file.write_text(build_page(with_gap), encoding="utf-8")
     return file.as_uri()
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    with api.sync_playwright() as playwright:
-        running = playwright.chromium.launch(executable_path=find_chromium())
-        yield running
-        running.close()
 
 
 @pytest.fixture

@@ -4,7 +4,6 @@ A command whose results are in DIR already is not run again. It takes about ten 
 and three minutes of two for `hrg validate`.
 """
 
-import re
 import shlex
 import sys
 from pathlib import Path
@@ -16,6 +15,7 @@ from playwright.sync_api import sync_playwright
 
 import pyhrg
 from pyhrg.common.cli import main
+from tests.modules import load_file
 from tests.programs import find_chromium
 
 DOCS = Path(__file__).parents[1] / "docs"
@@ -60,8 +60,7 @@ def run_blocks(page: str) -> None:
     """Make the logs and the campaign that a page of the docs begins with."""
     text = (DOCS / page).read_text(encoding="utf-8")
     names: dict[str, Any] = {}
-    pattern = r'```(\w+)(?: title="(\S+)")?\n(.*?)```'
-    for language, name, block in re.findall(pattern, text, re.DOTALL):
+    for language, name, block in load_file(DOCS / "site" / "notebooks.py").BLOCK.findall(text):
         if name:
             Path(name).write_text(block, encoding="utf-8")
         elif language == "python":

@@ -49,12 +49,18 @@ def list_public_names(package: str) -> Iterator[str]:
 def describe_commands() -> Iterator[str]:
     """Give the help of every subcommand of `hrg`."""
     os.environ["COLUMNS"] = "100"
+    for parser in make_parsers():
+        yield f"## {parser.prog}"
+        yield from (f"```text\n{p.format_help()}```" for p in list_parsers(parser))
+
+
+def make_parsers() -> Iterator[argparse.ArgumentParser]:
+    """Give the parser of every subcommand of `hrg`."""
     for entry in sorted(entry_points(group="hrg.commands"), key=lambda entry: entry.name):
         command = entry.load()
         parser = argparse.ArgumentParser(f"hrg {entry.name}", description=command.HELP)
         command.add_options(parser)
-        yield f"## hrg {entry.name}"
-        yield from (f"```text\n{p.format_help()}```" for p in list_parsers(parser))
+        yield parser
 
 
 def list_parsers(parser: argparse.ArgumentParser) -> Iterator[argparse.ArgumentParser]:

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 BLOCK = re.compile(r'^```(\w+)(?: title="(\S+)")?\n(.*?)^```\n?', re.DOTALL | re.MULTILINE)
+"""A block of a page: language, name of the file that it is, and text."""
 FOLDERS = ("start/", "tutorials/")
 
 

@@ -1,15 +1,13 @@
 """Python in README and docs runs as it stands there; commands and paths in them exist."""
 
-import argparse
 import re
-from collections.abc import Iterator
-from importlib.metadata import entry_points
 from pathlib import Path
 
 import matplotlib as mpl
 import pytest
 
 from fmu_build import build_fmu
+from tests.modules import load_file
 
 ROOT = Path(__file__).parents[2]
 PAGES = ("README.md", "docs/fmu.md", "docs/navigation.md")
@@ -43,22 +41,14 @@ def test_links_and_paths_exist() -> None:
     assert missing == []
 
 
-def list_options(parser: argparse.ArgumentParser) -> Iterator[tuple[str, set[str]]]:
-    """A parser's command and options, and those of its own subcommands."""
-    yield parser.prog, {name for action in parser._actions for name in action.option_strings}
-    for action in parser._actions:
-        if isinstance(action, argparse._SubParsersAction):
-            for part in action.choices.values():
-                yield from list_options(part)
-
-
 def test_commands_and_options_exist() -> None:
     """Each command in a block or between backquotes, with the options that stand behind it."""
-    known: dict[str, set[str]] = {}
-    for entry in entry_points(group="hrg.commands"):
-        parser = argparse.ArgumentParser(f"hrg {entry.name}")
-        entry.load().add_options(parser)
-        known.update(list_options(parser))
+    hooks = load_file(ROOT / "docs" / "site" / "hooks.py")
+    known = {
+        parser.prog: {name for action in parser._actions for name in action.option_strings}
+        for whole in hooks.make_parsers()
+        for parser in hooks.list_parsers(whole)
+    }
     wrong, count = [], 0
     for page in (*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")):
         text = page.read_text(encoding="utf-8")

@@ -11,10 +11,10 @@ import matplotlib as mpl
 import pytest
 
 from pyhrg.common.cli import main
+from tests.modules import load_file
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGES = sorted((*DOCS.glob("tutorials/[a-z]*.md"), *DOCS.glob("start/[a-z]*.md")))
-BLOCK = r"""```(\w+)(?: title="(\S+)")?\n(.*?)```"""
 
 
 def run_command(command: str) -> None:
@@ -32,7 +32,8 @@ def test_a_tutorial_runs(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyP
     monkeypatch.chdir(tmp_path)
     mpl.use("agg")
     names: dict[str, object] = {}
-    blocks = re.findall(BLOCK, page.read_text(encoding="utf-8"), re.S)
+    notebooks = load_file(DOCS / "site" / "notebooks.py")
+    blocks = notebooks.BLOCK.findall(page.read_text(encoding="utf-8"))
     for language, name, text in blocks:
         if name:
             (tmp_path / name).write_text(text, encoding="utf-8")

@@ -2,11 +2,11 @@
 
 #include <string.h>
 
-/* A communication point this close to a tick is the tick, in periods: importers that add up their
-   steps are wrong by 1e-6 s after 2 h at 1 ms. */
-#define SAME_INSTANT 1e-3
-/* What is too short a time to be integrated, in periods. */
-#define NO_TIME 1e-6
+/* A communication point this close to a tick is the tick: a millionth of the period, and what a
+   double may lose of a time that was added up. In periods. */
+static double same_instant(double time, double period) {
+  return 1e-6 + 1e-15 * fabs(time) / period;
+}
 
 void core_reset(Core *core) {
   memset(core, 0, sizeof *core);
@@ -69,15 +69,16 @@ void core_advance(Core *core, double time) {
   refresh_held(core);
   /* Ticks are counted, never accumulated, so that no rounding builds up over hours. */
   const double period = FIRST(MODEL_PERIOD(core->v));
+  const double slack = same_instant(time, period);
   double target = (time - core->start) / period;
-  while ((double)core->ticks <= target + SAME_INSTANT) {
+  while ((double)core->ticks <= target + slack) {
     integrate(core, period - core->offset);
     model_tick(core->v, core->ticks);
     core->offset = 0.0;
     core->ticks++;
   }
   double rest = (target - (double)(core->ticks - 1)) * period;
-  if (rest - core->offset > NO_TIME * period) {
+  if (rest - core->offset > slack * period) {
     integrate(core, rest - core->offset);
     core->offset = rest;
   }
@@ -95,12 +96,21 @@ double core_next_tick(const Core *core) {
 
 int core_ticks_before(const Core *core, double time) {
   const double period = FIRST(MODEL_PERIOD(core->v));
-  return (time - core->start) / period > (double)core->ticks + SAME_INSTANT;
+  return (time - core->start) / period > (double)core->ticks + same_instant(time, period);
+}
+
+double core_now(const Core *core) {
+  const double period = FIRST(MODEL_PERIOD(core->v));
+  return core->start + (double)(core->ticks - 1) * period + core->offset;
 }
 
 int core_is_at(const Core *core, double time) {
   const double period = FIRST(MODEL_PERIOD(core->v));
-  double now = core->start + (double)(core->ticks - 1) * period + core->offset;
   return core->ticks >= 1 && core->offset >= 0.0 && core->offset < period &&
-         fabs(now - time) <= 2.0 * SAME_INSTANT * period;
+         fabs(core_now(core) - time) <= 1e-6 * (1.0 + fabs(time));
+}
+
+double core_drift(const Core *core, double time) {
+  double drift = time - core_now(core);
+  return fabs(drift) > 5e-7 * FIRST(MODEL_PERIOD(core->v)) ? drift : 0.0;
 }

@@ -31,7 +31,8 @@ enum {
 typedef enum { INSTANTIATED, INITIALIZING, STEPPING, TERMINATED } Phase;
 
 typedef struct {
-  double parameters[CASE_MOTION], start, time;
+  double parameters[CASE_MOTION];
+  double elapsed, error; /* since the start: sum of the steps, and its rounding error */
   Phase phase;
   double interval, count, *rows;
   fmi2CallbackLogger logger;
@@ -100,15 +101,13 @@ static void set_defaults(Player *player) {
   for (int gyro = 0; gyro < GYROS; gyro++)
     for (int axis = 0; axis < AXES; axis++)
       player->parameters[CASE_AXES + 9 * gyro + 3 * axis + (gyro + 1 + axis) % 3] = 1.0;
-  player->start = player->time = 0.0;
+  player->elapsed = player->error = 0.0;
   player->phase = INSTANTIATED;
 }
 
-/* The interval that begins at the present time, counted from the motion's; negative before it. An
-   importer that adds up its steps may be early by a thousandth of an interval. */
+/* The interval that begins at the present time, counted from the motion's; negative before it. */
 static double present(const Player *player) {
-  double passed = (player->time - player->start) / player->interval;
-  return floor(passed + 1e-3) - player->parameters[LEAD_IN];
+  return floor(player->elapsed / player->interval + 1e-6) - player->parameters[LEAD_IN];
 }
 
 static double along(const double *axis, const double *vector) {
@@ -166,7 +165,6 @@ fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean tolerance_defined, f
   (void)tolerance_defined, (void)tolerance, (void)stop_defined, (void)stop;
   Player *player = c;
   if (!is_in(player, 1u << INSTANTIATED) || !isfinite(start)) return refuse(player, "the experiment can't be set up");
-  player->start = player->time = start;
   return fmi2OK;
 }
 
@@ -210,7 +208,10 @@ fmi2Status fmi2DoStep(fmi2Component c, fmi2Real time, fmi2Real step, fmi2Boolean
   (void)no_rollback;
   Player *player = c;
   if (!is_in(player, 1u << STEPPING) || !(step > 0.0) || !isfinite(time + step)) return refuse(player, "a step that is not legal");
-  player->time = time + step;
+  /* the times of importers that add up their steps are no sums to rely on */
+  const double added = step - player->error, sum = player->elapsed + added;
+  player->error = (sum - player->elapsed) - added;
+  player->elapsed = sum;
   return fmi2OK;
 }
 

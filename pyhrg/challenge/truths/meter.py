@@ -9,8 +9,7 @@ from functools import cached_property, partial
 import numpy as np
 from scipy.optimize import minimize_scalar
 
-from pyhrg.bench.programme import Programme
-from pyhrg.challenge.campaigns.course import Course, make_course
+from pyhrg.bench.programme import Course, Programme, make_course
 from pyhrg.challenge.campaigns.gyro import Disturbance, TrueGyro
 from pyhrg.challenge.campaigns.instruments import Instruments
 from pyhrg.challenge.campaigns.laboratory import Laboratory

@@ -6,8 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyhrg.bench.programme import Programme
-from pyhrg.challenge.campaigns.course import make_course
+from pyhrg.bench.programme import Programme, make_course
 from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.challenge.campaigns.instruments import Instruments
 from pyhrg.challenge.campaigns.laboratory import vary_each

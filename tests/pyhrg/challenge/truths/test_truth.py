@@ -5,8 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyhrg.bench.programme import Programme
-from pyhrg.challenge.campaigns.course import make_course
+from pyhrg.bench.programme import Programme, make_course
 from pyhrg.challenge.campaigns.instruments import Instruments
 from pyhrg.challenge.truths.form import PLACES
 from pyhrg.challenge.truths.meter import Meter

@@ -1,9 +1,7 @@
 """The virtual bench: simulates power-ons of a gyro on its FMU and logs them as a bench does."""
 
-import threading
 import zlib
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -88,17 +86,7 @@ class Bench:
                 f"a plan of {len(power_ons)} power-ons with {rows} rows: expected at most "
                 f"{MAX_TEST_ROWS} rows"
             )
-        self.fmu.prepare()
-        stop = threading.Event()
-        self.fmu.stop = stop
-        with ThreadPoolExecutor(self.workers) as pool:
-            try:
-                return list(pool.map(self.log, power_ons))
-            except BaseException:
-                stop.set()
-                raise
-            finally:
-                self.fmu.stop = None
+        return self.fmu.map(self.log, power_ons, self.workers)
 
     def power_on(self, identity: str, start_angle: float | None = None) -> Gyro:
         """The gyro, switched on, with noise, start angle and parameters drawn for this power-on.

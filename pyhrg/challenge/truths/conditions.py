@@ -34,7 +34,7 @@ class Conditions:
     virtual_rotation: Array
     """Commanded rotation as an input rate, zero while the drive is off, rad/s."""
     amplitude: Array
-    """Amplitude of the vibration; NaN where it is not told."""
+    """Amplitude of the vibration; NaN where it is not known."""
 
 
 def find_conditions_of_course(

@@ -131,9 +131,7 @@ def _verdict(off: Noise | None, on: Noise | None, ratio: Finding) -> str:
     if off is None or on is None:
         return "The campaign has tests of one state only: no comparison."
     if math.isnan(ratio.si_value):
-        return (
-            "Without virtual rotation no angle random walk is seen: no comparison."
-        )
+        return "Without virtual rotation no angle random walk is seen: no comparison."
     rate = abs(on.longest.rotation) / DEG
     within = f"{ratio.si_low:.2g} to {ratio.si_high:.2g}"
     return f"Virtual rotation at {rate:.3g} deg/s makes the random walk {within} times as large."

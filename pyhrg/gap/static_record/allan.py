@@ -18,7 +18,6 @@ from pyhrg.noise.coefficients import (
     compute_allan_deviation,
 )
 from pyhrg.noise.fitting import NORMAL_QUANTILE, estimate_noise
-from pyhrg.records.table import fold_absent_columns
 
 SCHEMA = "hrg-allan/1"
 FILES = RESULT, TABLE, PAGE = "allan.json", "allan.csv", "report.html"
@@ -93,9 +92,7 @@ class RecordNoise:
             n, interval = each.deviation.n, each.channel.interval
             lines += ["", f"{each.channel.name}: {n} readings, {n * interval:.6g} s"]
             lines += [f"  {name:<26} {value:<36} {unit}" for name, value, unit in each.rows]
-        return "\n".join(
-            [*lines, *(f"left out: {note}" for note in fold_absent_columns(self.notes))]
-        )
+        return "\n".join([*lines, *(f"record: {note}" for note in self.notes)])
 
     def __repr__(self) -> str:
         return f"<RecordNoise of {self.source}: {len(self.channels)} channels>"

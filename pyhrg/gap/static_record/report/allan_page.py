@@ -9,7 +9,6 @@ from pyhrg.common.pages.markup import Table, make_paragraph, make_wide_table
 from pyhrg.common.pages.shell import make_document
 from pyhrg.gap.static_record.allan import FILES, PAGE, RESULT, TABLE, ChannelNoise, RecordNoise
 from pyhrg.gap.static_record.report.figures import draw_fitted_noise
-from pyhrg.records.table import fold_absent_columns
 
 STYLE = "td,th{text-align:left}svg text{fill:#000}.panels{grid-template-columns:minmax(0,40rem)}"
 READING = (
@@ -36,7 +35,7 @@ def build_allan_page(noise: RecordNoise) -> str:
         f"<h1>{html.escape(title)}</h1>",
         make_paragraph(READING),
         *map(_build_section, noise.channels),
-        *(make_paragraph(f"Left out: {note}", "weak") for note in fold_absent_columns(noise.notes)),
+        *(make_paragraph(f"Record: {note}", "weak") for note in noise.notes),
     ]
     return make_document(title, STYLE, "".join(body), "")
 

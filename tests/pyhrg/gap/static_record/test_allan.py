@@ -42,7 +42,7 @@ def test_what_was_put_in_comes_out(log: Path) -> None:
     first = noise.deviations.iloc[0]
     expected = WALK / INTERVAL**0.5 / DEG_PER_H
     assert first["low_95"] < expected < first["high_95"]
-    assert "table_angle_deg: missing, taken as on a gyro at rest" in noise.notes
+    assert noise.notes == ("table_angle_deg: missing, taken as on a gyro at rest",)
 
 
 def test_the_command_writes_what_it_says(

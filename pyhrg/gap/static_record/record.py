@@ -75,6 +75,10 @@ def read_static_record(path: Path, trusted: bool = False) -> StaticRecord:
     Raises:
         HrgError: the file can't be used or is too short, or a channel never changes.
     """
+    if path.is_dir():
+        raise HrgError(
+            f"{path}: found a folder, expected a log, such as one in a campaign's folder"
+        )
     if BENCH_COLUMN in read_unpacked(path)[:HEADER_BYTES]:
         return _take_bench_log(read_log(path))
     imu = recorded.read_imu_log(path, trusted).increments

@@ -13,9 +13,9 @@ from pyhrg.gap.static_record.report.figures import draw_fitted_noise
 STYLE = "td,th{text-align:left}svg text{fill:#000}.panels{grid-template-columns:minmax(0,40rem)}"
 READING = (
     "The points are the overlapping Allan deviation, the band its 95 % intervals. The line is the "
-    "noise that was fitted to the record by maximum likelihood (IEEE Std 952). Earth's rate and "
-    "gravity are in the mean. A noise that the record does not show has an upper bound. Where the "
-    "line misses the points, the record holds something else than noise at rest, such as motion."
+    "noise that was fitted to the record by maximum likelihood (IEEE Std 952), with the rate ramp. "
+    "Earth's rate and gravity are in the mean. A noise that the record does not show has an upper "
+    "bound. Where the line misses the points, the record holds something else, such as motion."
 )
 
 
@@ -42,9 +42,9 @@ def build_allan_page(noise: RecordNoise) -> str:
 
 def _build_section(each: ChannelNoise) -> str:
     name, kind = html.escape(each.channel.name), each.channel.kind
-    figure = draw_fitted_noise(each.deviation, each.noise, kind)
+    figure = draw_fitted_noise(each.deviation, each.noise, each.ramp.value, kind)
     caption = f"{each.deviation.n} readings every {each.channel.interval:g} s"
-    table = Table(caption, ("", "Value, 95 % interval", "Unit, or key with unit"), tuple(each.rows))
+    table = Table(caption, ("", "Value, 95 % interval", "Unit", "Key"), tuple(each.rows))
     return (
         f"<h2>{name}</h2>{make_wide_table(table)}"
         f'<div class="panels"><figure role="img" aria-label="Allan deviation of {name}">'

@@ -22,7 +22,7 @@ from pyhrg.device import device_file
 from pyhrg.device.keys import KEYS
 from pyhrg.device.ready_devices import TYPICAL, Device
 from pyhrg.fmu import GyroFmu, record_together
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 FLIGHT = "flight"
 """Identity of the power-on of a flight (`Bench.power_on`)."""

@@ -4,7 +4,7 @@ import numpy as np
 
 from ins_eval.navigation.height import Clamped
 from pyhrg.common.arrays import Array
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 MAGIC = b"HRGPATH1"
 """The first bytes of the file; the number is that of its format."""

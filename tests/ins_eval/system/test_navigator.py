@@ -17,7 +17,7 @@ from ins_eval.navigation.coefficients import derive_coefficients
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
 from ins_eval.system.system import list_start
 from pyhrg.common.arrays import Array
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 INTERVAL = 0.01
 OUTPUTS = ["latitude", "longitude", "height", "velocityNorth", "velocityEast", "velocityDown"]

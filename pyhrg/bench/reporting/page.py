@@ -6,8 +6,7 @@ from collections.abc import Mapping, Sequence
 from pyhrg.bench.outcome import Outcome
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.reporting.text import list_notes, make_findings_table
-from pyhrg.common.pages.markup import Table, make_paragraph, make_wide_table
-from pyhrg.common.pages.shell import make_document
+from pyhrg.common.pages.markup import Table, make_document, make_paragraph, make_wide_table
 
 STYLE = (
     "img{max-width:100%;background:#fff}.wide table{min-width:0}"

@@ -19,11 +19,14 @@ partial block PartialPickOff "Errors of pick-offs, demodulation and converters"
   parameter Units.Time feedthrough(min = -0.01, max = 0.01) = 0 "Reads this time the force as well, typically 1e-6 to 1e-4";
   parameter Units.RelativeDisplacement resolution(min = 0, max = 0.1) = 0 "Least significant bit of a channel, typically 2e-7 to 6e-5: 24 to 16 bits over a full scale of 2 (estimate); 0: none";
   parameter Units.RelativeDisplacement fullScale(min = 0, max = 1e6) = 0 "A channel clips at this value, typically 1.2 to 2, the headroom over the nominal amplitude (estimate); 0: never";
+  parameter Real ringErrors[9] "Errors of the electrode ring, as of ringErrors";
   input Units.TemperatureDifference temperature "Above the reference";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
   input Units.RelativeDisplacement noise[4] "Noise of the demodulated channels";
   output Units.RelativeDisplacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
 protected
+  final parameter Units.DimensionlessRatio scale = 1 + ringErrors[1] "Mean gain";
+  final parameter Units.DimensionlessRatio share = nonOrthogonality + ringErrors[3] "Share of x in y";
   final parameter Units.DimensionlessRatio axes[4] = {
     cos(phaseError + differentialPhase/2),
     sin(phaseError + differentialPhase/2),
@@ -34,12 +37,12 @@ protected
   Units.DimensionlessRatio turn[2] "Cosine and sine of the phase by temperature";
   Units.DimensionlessRatio phasor[4] "Cosine and sine of the phase of x, and of y";
 equation
-  mismatch = gainMismatch + gainPerKelvin*temperature
+  mismatch = gainMismatch + ringErrors[2] + gainPerKelvin*temperature
     + gainPerAcceleration[1]*acceleration[1] + gainPerAcceleration[2]*acceleration[2]
     + gainPerAcceleration[3]*acceleration[3]
     + gainPerAccelerationSquared[1]*acceleration[1]^2 + gainPerAccelerationSquared[2]*acceleration[2]^2
     + gainPerAccelerationSquared[3]*acceleration[3]^2;
-  gain = {1 + mismatch/2, 1 - mismatch/2};
+  gain = {scale*(1 + mismatch/2), scale*(1 - mismatch/2)};
   turn = {cos(phasePerKelvin*temperature), sin(phasePerKelvin*temperature)};
   phasor = {
     axes[1]*turn[1] - axes[2]*turn[2],
@@ -51,7 +54,7 @@ equation
 <pre>g = gainMismatch + gainPerKelvin T + gainPerAcceleration f + gainPerAccelerationSquared f^2 (each axis by itself)
 gain of x, y = 1 + g/2, 1 - g/2
 phase of x, y = phaseError + phasePerKelvin T + differentialPhase/2, - differentialPhase/2</pre>
-<p>Mechanisms 2, 4, 7, 10 to 13, 24, 28 and 30 of the catalogue. Non-orthogonality comes first, then the cubic
+<p>The electrode ring adds its g and d, and scales both gains. Mechanisms 2, 4, 7, 10 to 13, 24, 28 and 30 of the catalogue. Non-orthogonality comes first, then the cubic
 nonlinearity and the gain, the phase (the complex envelope cx - i sx times exp(i p)), and offset, feedthrough, noise and
 the converter.</p>
 </html>"));

@@ -3,9 +3,10 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
   extends Interfaces.PartialGyro;
   final parameter Units.Time samplePeriod = 1e-3 "Control period";
   final parameter Units.Time converterPeriod = 5e-6 "Sample period of the converters";
+  Electrodes.Ring ring "Electrodes around the shell";
   Resonators.CarrierResonator resonator(
     final thermalPeriod = 1e-2,
-    material(frequency(max = 2.5e5)),
+    material(frequency(max = 2.5e5), ringErrors = ring.errors),
     startAngle = startAngle,
     startAmplitude = startAmplitude,
     angularRate = angularRate,
@@ -16,6 +17,7 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     reference = controller.reference,
     force = drive.force) "Vibrating shell";
   Electrodes.CarrierPickOff pickOff(
+    ringErrors = ring.errors,
     samplePeriod = samplePeriod,
     converterPeriod = converterPeriod,
     startAngle = startAngle,
@@ -27,6 +29,7 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     acceleration = {accelerationX, accelerationY, accelerationZ},
     noise = noise.displacement) "Pick-offs, converters and demodulation";
   Electrodes.Drive drive(
+    ringErrors = ring.errors,
     command = controller.force,
     acceleration = {accelerationX, accelerationY, accelerationZ},
     temperatureRate = resonator.environment.temperatureRate,

@@ -27,6 +27,7 @@ block Material "Damping, stiffness and coupling of the shell under its environme
   parameter Units.Angle electrostaticAxis(min = -1000, max = 1000) = 0 "Pattern angle of its lower frequency";
   parameter Units.DimensionlessRatio bryanFactor(min = 0.01, max = 1) = 0.277 "Precession of the pattern over rotation of the case";
   parameter Units.LinearTemperatureCoefficient bryanFactorPerKelvin(min = -1e-3, max = 1e-3) = 0 "Of the Bryan factor, typically below 1e-6";
+  parameter Real ringErrors[9] "Errors of the electrode ring, as of Electrodes.ringErrors";
   input Units.TemperatureDifference temperature "Above the reference";
   input Units.Time age "Time since power-on";
   input Units.DimensionlessRatio biasVoltage "Over the nominal one";
@@ -46,8 +47,8 @@ protected
   final parameter Units.DampingCoefficient mountingSin = mountingDamping/2*sin(4*mountingAxis) "Of the mounting, off diagonal";
   final parameter Units.AngularFrequency ownSplitCos = frequencySplit/2*cos(4*stiffnessAxis) "Of the shell, diagonal";
   final parameter Units.AngularFrequency ownSplitSin = frequencySplit/2*sin(4*stiffnessAxis) "Of the shell, off diagonal";
-  final parameter Units.AngularFrequency trimCos = electrostaticSplit/2*cos(4*electrostaticAxis) "Of the trim, diagonal";
-  final parameter Units.AngularFrequency trimSin = electrostaticSplit/2*sin(4*electrostaticAxis) "Of the trim, off diagonal";
+  final parameter Units.AngularFrequency trimCos = electrostaticSplit/2*cos(4*electrostaticAxis) + electrostaticShift*ringErrors[8] "Of the trim and the gap, diagonal";
+  final parameter Units.AngularFrequency trimSin = electrostaticSplit/2*sin(4*electrostaticAxis) + electrostaticShift*ringErrors[9] "Of the trim and the gap, off diagonal";
   Units.DampingCoefficient damping "Mean damping";
   Units.DampingCoefficient dampingCos "Anisotropic damping, diagonal";
   Units.DimensionlessRatio warmth "Factor of the damping anisotropy";
@@ -75,7 +76,7 @@ times an axis,</p>
 mean frequency = frequency (1 + frequencyPerKelvin T) - electrostaticShift (V^2 - 1)
 k = bryanFactor (1 + bryanFactorPerKelvin T)</pre>
 <p>A decay time would be below half at decayTimePerKelvin T &lt; -1/2: there <code>stretched</code> keeps it above zero.</p>
-<p>Mechanisms 1, 9, 14, 16, 23 to 26, 28 and 31 of the catalogue: what slowly changes the coefficients of the
+<p>A fourth harmonic of the gap (<code>Electrodes.Ring</code>) adds electrostaticShift (V^2 - 1) times its share to the anisotropy. Mechanisms 1, 9, 14, 16, 23 to 26, 28, 31 and 32 of the catalogue: what slowly changes the coefficients of the
 motion. At the nominal bias voltage the electrostatic terms are part of the nominal values.</p>
 </html>"));
 end Material;

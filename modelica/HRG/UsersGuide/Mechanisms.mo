@@ -38,6 +38,7 @@ those of Conventions. Each line is demonstrated by models of <code>HRG.Validatio
 <tr><td>29</td><td>input-axis misalignment</td><td>of the mounting: by the input <code>angularRate</code></td><td>H sin delta once a turn of the table</td></tr>
 <tr><td>30</td><td>resolution, quantum of the output, full scale, drive authority</td><td><code>pickOff.resolution</code>, <code>controller.readout.quantum</code>, <code>pickOff.fullScale</code>, <code>drive.authority</code></td><td>steps, clipping; full range of rebalance f/(2k)</td></tr>
 <tr><td>31</td><td>ageing</td><td><code>resonator.material.decayTimeAgeing</code></td><td>G</td></tr>
+<tr><td>32</td><td>uneven gap of the electrodes</td><td><code>ring.fourthHarmonic</code>, <code>eccentricity</code>, <code>secondHarmonic</code>, <code>thirdHarmonic</code>, their axes; <code>ring.electrodes</code>, <code>coverage</code></td><td>as 2 to 6 with g = gd = -2 E cos 4 th_4, d = nd = -e = -2 E sin 4 th_4 (16 electrodes; <code>Electrodes.Ring</code> has 8); with 25 a split of 3 E electrostaticShift (V^2 - 1)</td></tr>
 </table>
 <p>The same gyro in its modes:</p>
 <table border=\"1\">

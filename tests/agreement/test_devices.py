@@ -111,6 +111,11 @@ AT_REST: dict[str, tuple[Mapping[str, float], Mapping[str, float], Expected]] = 
         {},
         ("frequencyOffset", 2 * math.pi * 0.01 / 4 * ONE),
     ),
+    "electrostatic cubic: (delta/4) s8": (
+        {"electrostatic_cubic_Hz": 1e-3},
+        {},
+        ("quadratureForce", 2 * math.pi * 1e-3 / 4 * np.sin(8 * ANGLES)),
+    ),
     "the amplitude is held": ({"amplitude": 0.5}, {}, ("amplitude", 0.5 * ONE)),
     "feedthrough with split: (c dw^2/8k) s8''": (
         {**SPLIT, "feedthrough_s": 1e-3},

@@ -19,9 +19,12 @@ partial block PartialPickOff "Errors of pick-offs, demodulation and converters"
   parameter Units.Time feedthrough(min = -0.01, max = 0.01) = 0 "Reads this time the force as well, typically 1e-6 to 1e-4";
   parameter Units.RelativeDisplacement resolution(min = 0, max = 0.1) = 0 "Least significant bit of a channel, typically 2e-7 to 6e-5: 24 to 16 bits over a full scale of 2 (estimate); 0: none";
   parameter Units.RelativeDisplacement fullScale(min = 0, max = 1e6) = 0 "A channel clips at this value, typically 1.2 to 2, the headroom over the nominal amplitude (estimate); 0: never";
+  parameter Units.DimensionlessRatio gainPerVoltage(min = -2, max = 2) = 0
+    "Change of both gains with the bias voltage over the nominal one, typically 1 where the bias polarises the pick-offs, 0 with a carrier of their own";
   parameter Real ringErrors[9] "Errors of the electrode ring, as of ringErrors";
   input Units.TemperatureDifference temperature "Above the reference";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
+  input Units.DimensionlessRatio biasVoltage "Over the nominal one";
   input Units.RelativeDisplacement noise[4] "Noise of the demodulated channels";
   output Units.RelativeDisplacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
 protected
@@ -32,6 +35,7 @@ protected
     sin(phaseError + differentialPhase/2),
     cos(phaseError - differentialPhase/2),
     sin(phaseError - differentialPhase/2)} "Cosine and sine of the phase of x, and of y, at the reference temperature";
+  Units.DimensionlessRatio sensitivity "Mean gain under the bias voltage";
   Units.DimensionlessRatio mismatch "g under temperature and specific force";
   Units.DimensionlessRatio gain[2] "Of x and y, for small vibrations";
   Units.DimensionlessRatio turn[2] "Cosine and sine of the phase by temperature";
@@ -42,7 +46,8 @@ equation
     + gainPerAcceleration[3]*acceleration[3]
     + gainPerAccelerationSquared[1]*acceleration[1]^2 + gainPerAccelerationSquared[2]*acceleration[2]^2
     + gainPerAccelerationSquared[3]*acceleration[3]^2;
-  gain = {scale*(1 + mismatch/2), scale*(1 - mismatch/2)};
+  sensitivity = scale + gainPerVoltage*(biasVoltage - 1);
+  gain = {sensitivity*(1 + mismatch/2), sensitivity*(1 - mismatch/2)};
   turn = {cos(phasePerKelvin*temperature), sin(phasePerKelvin*temperature)};
   phasor = {
     axes[1]*turn[1] - axes[2]*turn[2],
@@ -50,11 +55,11 @@ equation
     axes[3]*turn[1] - axes[4]*turn[2],
     axes[4]*turn[1] + axes[3]*turn[2]};
   annotation (Documentation(info="<html>
-<p>With T the temperature above the reference and f the specific force,</p>
+<p>With T the temperature above the reference, f the specific force and V the bias voltage over the nominal one,</p>
 <pre>g = gainMismatch + gainPerKelvin T + gainPerAcceleration f + gainPerAccelerationSquared f^2 (each axis by itself)
-gain of x, y = 1 + g/2, 1 - g/2
+gain of x, y = m (1 + g/2), m (1 - g/2), m = 1 + gainPerVoltage (V - 1)
 phase of x, y = phaseError + phasePerKelvin T + differentialPhase/2, - differentialPhase/2</pre>
-<p>The electrode ring adds its g and d, and scales both gains. Mechanisms 2, 4, 7, 10 to 13, 24, 28 and 30 of the catalogue. Non-orthogonality comes first, then the cubic
+<p>The electrode ring adds its g and d, and scales both gains. Mechanisms 2, 4, 7, 10 to 13, 24, 25, 28 and 30 of the catalogue. Non-orthogonality comes first, then the cubic
 nonlinearity and the gain, the phase (the complex envelope cx - i sx times exp(i p)), and offset, feedthrough, noise and
 the converter.</p>
 </html>"));

@@ -27,11 +27,13 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     force = controller.force,
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
+    biasVoltage = biasVoltage,
     noise = noise.displacement) "Pick-offs, converters and demodulation";
   Electrodes.Drive drive(
     ringErrors = ring.errors,
     command = controller.force,
     acceleration = {accelerationX, accelerationY, accelerationZ},
+    biasVoltage = biasVoltage,
     temperatureRate = resonator.environment.temperatureRate,
     noise = noise.force) "Drives";
   Noise.ElectronicsNoise noise(

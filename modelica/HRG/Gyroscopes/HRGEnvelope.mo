@@ -21,11 +21,13 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
     force = controller.acting,
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
+    biasVoltage = biasVoltage,
     noise = noise.displacement) "Pick-offs and demodulation";
   Electrodes.Drive drive(
     ringErrors = ring.errors,
     command = controller.force,
     acceleration = {accelerationX, accelerationY, accelerationZ},
+    biasVoltage = biasVoltage,
     temperatureRate = resonator.environment.temperatureRate,
     noise = noise.force) "Drives";
   Noise.ElectronicsNoise noise(

@@ -20,10 +20,12 @@ model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-ste
     force = controller.force,
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
+    biasVoltage = biasVoltage,
     noise = noise.displacement) "Pick-offs and demodulation";
   Electrodes.DriveErrors drive(
     ringErrors = ring.errors,
     acceleration = {accelerationX, accelerationY, accelerationZ},
+    biasVoltage = biasVoltage,
     temperatureRate = resonator.environment.temperatureRate) "Drives";
   Noise.ElectronicsNoise noise(
     samplePeriod = samplePeriod,

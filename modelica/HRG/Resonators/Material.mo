@@ -25,6 +25,8 @@ block Material "Damping, stiffness and coupling of the shell under its environme
   parameter Units.AngularFrequency electrostaticSplit(min = 0, max = 100) = 0
     "Frequency split that the nominal bias voltage makes (trim), balanced by the mechanical one, typically 0.06 to 3: the raw split of 10 to 500 mHz";
   parameter Units.Angle electrostaticAxis(min = -1000, max = 1000) = 0 "Pattern angle of its lower frequency";
+  parameter Units.AngularFrequency electrostaticCubic(min = -100, max = 100) = 0
+    "Softening of x and of y at unit amplitude of their own by eight electrodes under the nominal bias voltage, typically 1e-3 to 0.1: 3/2 of electrostaticShift times the square of amplitude over gap";
   parameter Units.DimensionlessRatio bryanFactor(min = 0.01, max = 1) = 0.277 "Precession of the pattern over rotation of the case";
   parameter Units.LinearTemperatureCoefficient bryanFactorPerKelvin(min = -1e-3, max = 1e-3) = 0 "Of the Bryan factor, typically below 1e-6";
   parameter Real ringErrors[9] "Errors of the electrode ring, as of Electrodes.ringErrors";
@@ -39,6 +41,7 @@ block Material "Damping, stiffness and coupling of the shell under its environme
   output Units.AngularFrequency shift "Mean frequency above the nominal one";
   output Units.AngularFrequency splitCos "Stiffness anisotropy, diagonal";
   output Units.AngularFrequency splitSin "Stiffness anisotropy, off diagonal";
+  output Units.AngularFrequency cubic "Softening of x and of y at unit amplitude of their own";
   output Units.AngularVelocity coupling "Bryan coupling of the modes, n k Omega with n = 2";
 protected
   final parameter Units.DampingCoefficient ownCos = dampingAnisotropy/2*cos(4*dampingAxis) "Of the shell, diagonal";
@@ -66,6 +69,7 @@ equation
     + (splitPerAcceleration[1]*acceleration[1] + splitPerAcceleration[2]*acceleration[2]
     + splitPerAcceleration[3]*acceleration[3])/2;
   splitSin = ownSplitSin + trimSin*voltageChange;
+  cubic = electrostaticCubic*biasVoltage*biasVoltage;
   coupling = 2*bryanFactor*(1 + bryanFactorPerKelvin*temperature)*angularRate;
   annotation (Documentation(info="<html>
 <p>With T the temperature above the reference, V the bias voltage over the nominal one, f the specific force and {c, s} = {cos, sin} of four
@@ -73,10 +77,11 @@ times an axis,</p>
 <pre>1/tau = exp(decayTimeAgeing age)/(decayTime (1 + decayTimePerKelvin T))
 (D/2) {ct, st} = (dampingAnisotropy/2)(1 + dampingAnisotropyPerKelvin T) {c, s} + (mountingDamping/2) {c, s}
 (dw/2) {cw, sw} = (frequencySplit/2) {c, s} + (electrostaticSplit/2)(V^2 - 1) {c, s} + (splitPerAcceleration f/2) {1, 0}
+frequency of x, y lower by electrostaticCubic V^2 |X|^2, electrostaticCubic V^2 |Y|^2
 mean frequency = frequency (1 + frequencyPerKelvin T) - electrostaticShift (V^2 - 1)
 k = bryanFactor (1 + bryanFactorPerKelvin T)</pre>
 <p>A decay time would be below half at decayTimePerKelvin T &lt; -1/2: there <code>stretched</code> keeps it above zero.</p>
-<p>A fourth harmonic of the gap (<code>Electrodes.Ring</code>) adds electrostaticShift (V^2 - 1) times its share to the anisotropy. Mechanisms 1, 9, 14, 16, 23 to 26, 28, 31 and 32 of the catalogue: what slowly changes the coefficients of the
+<p>A fourth harmonic of the gap (<code>Electrodes.Ring</code>) adds electrostaticShift (V^2 - 1) times its share to the anisotropy. Mechanisms 1, 9, 14, 16, 23 to 26, 28, 31 to 33 of the catalogue: what slowly changes the coefficients of the
 motion. At the nominal bias voltage the electrostatic terms are part of the nominal values.</p>
 </html>"));
 end Material;

@@ -31,7 +31,7 @@ those of Conventions. Each line is demonstrated by models of <code>HRG.Validatio
 <tr><td>22</td><td>rate random walk, flicker</td><td><code>noise.rateRandomWalk</code>, <code>noise.biasInstability</code></td><td>K; Allan deviation 0.664 B</td></tr>
 <tr><td>23</td><td>frequency over temperature</td><td><code>resonator.material.frequencyPerKelvin</code>, <code>resonator.environment.thermalLag</code>; warm-up from <code>startTemperature</code> by <code>selfHeating</code></td><td>P; T - T_0 = T_s exp(-t/lag) + (T_c + T_h - T_0)(1 - exp(-t/lag))</td></tr>
 <tr><td>24</td><td>tau, D, g, p over temperature; its rate</td><td><code>...PerKelvin</code>; <code>drive.rotationPerTemperatureRate</code></td><td>as 1, 2, 7 scaled; B = -(e' dT/dt)/(2k tau)</td></tr>
-<tr><td>25</td><td>bias voltage, charge</td><td>input <code>biasVoltage</code>; <code>electrostaticShift</code>, <code>electrostaticSplit</code>, <code>electrostaticAxis</code></td><td>P and N with V^2 - 1, at constant temperature</td></tr>
+<tr><td>25</td><td>bias voltage, charge</td><td>input <code>biasVoltage</code>; <code>electrostaticShift</code>, <code>electrostaticSplit</code>, <code>electrostaticAxis</code>; <code>pickOff.gainPerVoltage</code>, <code>drive.gainPerVoltage</code></td><td>P and N with V^2 - 1, at constant temperature; with both gains G = 1/(V^2 tau), and under virtual rotation B = -(V^2 - 1) times it</td></tr>
 <tr><td>26</td><td>mounting</td><td><code>resonator.material.mountingDamping</code>, <code>mountingAxis</code></td><td>adds to 1 as a vector</td></tr>
 <tr><td>27</td><td>imbalance, vibration at the modal frequency</td><td><code>resonator.imbalanceX</code>, <code>imbalanceY</code>, input <code>vibration</code></td><td>B = (f/2k) s2</td></tr>
 <tr><td>28</td><td>specific force</td><td><code>pickOff.gainPerAcceleration</code>, <code>gainPerAccelerationSquared</code>, <code>drive.rotationPerAcceleration</code>, <code>resonator.material.splitPerAcceleration</code></td><td>as 2, 6, 7</td></tr>
@@ -39,6 +39,7 @@ those of Conventions. Each line is demonstrated by models of <code>HRG.Validatio
 <tr><td>30</td><td>resolution, quantum of the output, full scale, drive authority</td><td><code>pickOff.resolution</code>, <code>controller.readout.quantum</code>, <code>pickOff.fullScale</code>, <code>drive.authority</code></td><td>steps, clipping; full range of rebalance f/(2k)</td></tr>
 <tr><td>31</td><td>ageing</td><td><code>resonator.material.decayTimeAgeing</code></td><td>G</td></tr>
 <tr><td>32</td><td>uneven gap of the electrodes</td><td><code>ring.fourthHarmonic</code>, <code>eccentricity</code>, <code>secondHarmonic</code>, <code>thirdHarmonic</code>, their axes; <code>ring.electrodes</code>, <code>coverage</code></td><td>as 2 to 6 with g = gd = -2 E cos 4 th_4, d = nd = -e = -2 E sin 4 th_4 (16 electrodes; <code>Electrodes.Ring</code> has 8); with 25 a split of 3 E electrostaticShift (V^2 - 1)</td></tr>
+<tr><td>33</td><td>cubic softening by eight electrodes</td><td><code>resonator.material.electrostaticCubic</code></td><td>N = (delta/4) V^2 a^3 s8, P = -delta V^2 a^2 (3 + c8)/4; with phase error B = -(delta p/8k) V^2 a^2 s8</td></tr>
 </table>
 <p>The same gyro in its modes:</p>
 <table border=\"1\">

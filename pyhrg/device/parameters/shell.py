@@ -101,6 +101,13 @@ class ShellParameters:
         effect=EffectDeclaration("duffing_stiffness", 1e-2 * HZ, ("amplitude",), 13),
     )
     """Frequency shift at unit amplitude by cubic stiffness, rad/s."""
+    electrostatic_cubic: float = parameter(
+        key="electrostatic_cubic_Hz",
+        unit=HZ,
+        limits=(-10, 10),
+        fmu="resonator.material.electrostaticCubic",
+    )
+    """Softening of x and of y at unit amplitude of their own by eight electrodes [delta], rad/s."""
     thermal_lag: float = parameter(
         600.0,
         key="thermal_lag_s",

@@ -241,6 +241,16 @@ def test_scale_factor(fmu: GyroFmu, keys: Mapping[str, float], error: float) -> 
         assert measured + HOLD / TAU == pytest.approx(error, abs=5e-8)
 
 
+@pytest.mark.parametrize("rate", [1.0, -1.0])
+def test_sampling_skew(fmu: GyroFmu, rate: float) -> None:
+    """W (ts/2)(1 + c4) of angle, odd in the rate, to 1 %."""
+    skew = 1e-4
+    with gyro(fmu, {"sampling_skew_s": skew}, 0.1) as running, gyro(fmu, {}, 0.1) as plain:
+        error = advance(running, rate, 2.0) - advance(plain, rate, 2.0)
+        expected = rate * skew / 2 * (1 + math.cos(4 * plain.read("patternAngle")))
+    assert error == pytest.approx(expected, abs=0.01 * skew)
+
+
 WARMED: dict[str, tuple[Mapping[str, float], str, np.ndarray]] = {
     "D (1 + c dT)": (
         {"damping_anisotropy_per_s": 1e-6, "damping_anisotropy_per_K": 0.05},

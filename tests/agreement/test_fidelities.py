@@ -76,6 +76,7 @@ CASES: dict[str, tuple[float, Values, Values]] = {
     "pickOff.gainPerAccelerationSquared[1]": (1e-4, {}, PUSHED),
     "pickOff.gainPerAccelerationSquared[2]": (1e-4, {}, PUSHED),
     "pickOff.gainPerAccelerationSquared[3]": (1e-4, {}, PUSHED),
+    "pickOff.samplingSkew": (1e-3, {}, {"virtualRotation": 0.1}),
     "pickOff.gainPerVoltage": (1.0, {}, {"biasVoltage": 1.1}),
     "pickOff.nonOrthogonality": (0.01, {}, {}),
     "pickOff.cubic": (0.01, {}, {}),

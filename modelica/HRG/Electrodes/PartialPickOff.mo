@@ -19,28 +19,33 @@ partial block PartialPickOff "Errors of pick-offs, demodulation and converters"
   parameter Units.Time feedthrough(min = -0.01, max = 0.01) = 0 "Reads this time the force as well, typically 1e-6 to 1e-4";
   parameter Units.RelativeDisplacement resolution(min = 0, max = 0.1) = 0 "Least significant bit of a channel, typically 2e-7 to 6e-5: 24 to 16 bits over a full scale of 2 (estimate); 0: none";
   parameter Units.RelativeDisplacement fullScale(min = 0, max = 1e6) = 0 "A channel clips at this value, typically 1.2 to 2, the headroom over the nominal amplitude (estimate); 0: never";
+  parameter Units.Time samplingSkew(min = -1e-3, max = 1e-3) = 0
+    "y is sampled this time after x (one converter for both, electrodes read in turn), typically 5e-6 to 2e-4";
   parameter Units.DimensionlessRatio gainPerVoltage(min = -2, max = 2) = 0
     "Change of both gains with the bias voltage over the nominal one, typically 1 where the bias polarises the pick-offs, 0 with a carrier of their own";
   parameter Real ringErrors[9] "Errors of the electrode ring, as of ringErrors";
   input Units.TemperatureDifference temperature "Above the reference";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
+  input Units.AngularVelocity turning "Rate of the modal angle, as the case turns and as commanded";
   input Units.DimensionlessRatio biasVoltage "Over the nominal one";
   input Units.RelativeDisplacement noise[4] "Noise of the demodulated channels";
   output Units.RelativeDisplacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
 protected
   final parameter Units.DimensionlessRatio scale = 1 + ringErrors[1] "Mean gain";
-  final parameter Units.DimensionlessRatio share = nonOrthogonality + ringErrors[3] "Share of x in y";
+  final parameter Units.DimensionlessRatio obliquity = nonOrthogonality + ringErrors[3] "d, that of the ring included";
   final parameter Units.DimensionlessRatio axes[4] = {
     cos(phaseError + differentialPhase/2),
     sin(phaseError + differentialPhase/2),
     cos(phaseError - differentialPhase/2),
     sin(phaseError - differentialPhase/2)} "Cosine and sine of the phase of x, and of y, at the reference temperature";
   Units.DimensionlessRatio sensitivity "Mean gain under the bias voltage";
+  Units.DimensionlessRatio share "Share of x in y";
   Units.DimensionlessRatio mismatch "g under temperature and specific force";
   Units.DimensionlessRatio gain[2] "Of x and y, for small vibrations";
   Units.DimensionlessRatio turn[2] "Cosine and sine of the phase by temperature";
   Units.DimensionlessRatio phasor[4] "Cosine and sine of the phase of x, and of y";
 equation
+  share = obliquity + samplingSkew*turning;
   mismatch = gainMismatch + ringErrors[2] + gainPerKelvin*temperature
     + gainPerAcceleration[1]*acceleration[1] + gainPerAcceleration[2]*acceleration[2]
     + gainPerAcceleration[3]*acceleration[3]
@@ -59,7 +64,8 @@ equation
 <pre>g = gainMismatch + gainPerKelvin T + gainPerAcceleration f + gainPerAccelerationSquared f^2 (each axis by itself)
 gain of x, y = m (1 + g/2), m (1 - g/2), m = 1 + gainPerVoltage (V - 1)
 phase of x, y = phaseError + phasePerKelvin T + differentialPhase/2, - differentialPhase/2</pre>
-<p>The electrode ring adds its g and d, and scales both gains. Mechanisms 2, 4, 7, 10 to 13, 24, 25, 28 and 30 of the catalogue. Non-orthogonality comes first, then the cubic
+<p>While the modal angle turns, a y that is sampled later has turned on by that time: y reads y + (d + samplingSkew turning) x.
+The electrode ring adds its g and d, and scales both gains. Mechanisms 2, 4, 7, 10 to 13, 24, 25, 28, 30 and 34 of the catalogue. Non-orthogonality comes first, then the cubic
 nonlinearity and the gain, the phase (the complex envelope cx - i sx times exp(i p)), and offset, feedthrough, noise and
 the converter.</p>
 </html>"));

@@ -21,6 +21,8 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
     force = controller.acting,
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
+    turning = (1 - controller.forceToRebalance)
+      *(2*controller.readout.bryanFactor*virtualRotation*driveOn - resonator.material.coupling),
     biasVoltage = biasVoltage,
     noise = noise.displacement) "Pick-offs and demodulation";
   Electrodes.Drive drive(

@@ -20,6 +20,8 @@ model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-ste
     force = controller.force,
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
+    turning = (1 - controller.forceToRebalance)
+      *(2*controller.readout.bryanFactor*virtualRotation*driveOn - resonator.material.coupling),
     biasVoltage = biasVoltage,
     noise = noise.displacement) "Pick-offs and demodulation";
   Electrodes.DriveErrors drive(

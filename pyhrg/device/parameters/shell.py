@@ -166,6 +166,10 @@ class ShellParameters:
         ),
     )
     """x reads x (1 + 3/4 b |x|^2), y alike [b]."""
+    sampling_skew: float = parameter(
+        key="sampling_skew_s", limits=(-1e-3, 1e-3), fmu="pickOff.samplingSkew"
+    )
+    """Time after x at which y is sampled [ts], s."""
     phase_error: float = parameter(
         key="phase_error_rad",
         limits=(-1, 1),

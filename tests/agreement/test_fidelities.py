@@ -30,6 +30,13 @@ WARMING = {
     "resonator.environment.thermalLag": 30.0,
     "resonator.material.dampingAnisotropyPerKelvin": 0.01,
 }
+DEFECTS = {
+    "resonator.massDefects.first": 0.01,
+    "resonator.massDefects.second": 0.02,
+    "resonator.massDefects.third": 0.01,
+    "resonator.massDefects.lateralLoss": 5.0,
+}
+RECTIFYING = {f"pickOff.gainPerAccelerationSquared[{i}]": 1e-4 for i in (1, 2, 3)}
 PUSHED = {"accelerationX": 7.0, "accelerationY": 8.0, "accelerationZ": -9.0}
 
 CASES: dict[str, tuple[float, Values, Values]] = {
@@ -64,6 +71,14 @@ CASES: dict[str, tuple[float, Values, Values]] = {
     "resonator.material.bryanFactorPerKelvin": (1e-4, SOAK, WARM),
     "resonator.imbalanceX": (1e-3, {}, {"vibration": 1.0}),
     "resonator.imbalanceY": (1e-3, {}, {"vibration": 1.0}),
+    "resonator.massDefects.first": (0.01, {"resonator.massDefects.lateralLoss": 10.0}, {}),
+    "resonator.massDefects.second": (0.02, {"resonator.massDefects.axialLoss": 10.0}, {}),
+    "resonator.massDefects.third": (0.02, DEFECTS, {}),
+    "resonator.massDefects.lateralLoss": (10.0, DEFECTS, {}),
+    "resonator.massDefects.axialLoss": (10.0, DEFECTS, {}),
+    "resonator.massDefects.vibrationForce[1]": (0.1, DEFECTS, {"vibration": 1.0}),
+    "resonator.massDefects.vibrationForce[2]": (0.1, DEFECTS, {"vibration": 1.0}),
+    "resonator.massDefects.vibrationForce[3]": (0.1, DEFECTS, {"vibration": 1.0}),
     "ring.eccentricity": (0.05, {}, {}),
     "ring.secondHarmonic": (0.05, {}, {}),
     "ring.thirdHarmonic": (0.05, {}, {}),
@@ -78,6 +93,9 @@ CASES: dict[str, tuple[float, Values, Values]] = {
     "pickOff.gainPerAccelerationSquared[3]": (1e-4, {}, PUSHED),
     "pickOff.samplingSkew": (1e-3, {}, {"virtualRotation": 0.1}),
     "pickOff.gainPerVoltage": (1.0, {}, {"biasVoltage": 1.1}),
+    "pickOff.vibrationVariance[1]": (100.0, RECTIFYING, {}),
+    "pickOff.vibrationVariance[2]": (100.0, RECTIFYING, {}),
+    "pickOff.vibrationVariance[3]": (100.0, RECTIFYING, {}),
     "pickOff.nonOrthogonality": (0.01, {}, {}),
     "pickOff.cubic": (0.01, {}, {}),
     "pickOff.phaseError": (0.01, SPLIT, {}),

@@ -7,6 +7,8 @@ partial block PartialPickOff "Errors of pick-offs, demodulation and converters"
     "Change of g with specific force (gap change), typically up to 1e-5";
   parameter Real gainPerAccelerationSquared[3](each unit = "s4/m2", each min = -0.01, each max = 0.01) = {0, 0, 0}
     "Change of g with the square of specific force, typically 2e-8 to 5e-7: 1e-3 to 2e-2 deg/h at 1 g and a decay time of 450 s";
+  parameter Real vibrationVariance[3](each unit = "m2/s4", each min = 0, each max = 1e6) = {0, 0, 0}
+    "Mean square of vibration that the specific force does not show, its spectral density times the band, typically 100 to 2e4 (estimate)";
   parameter Units.DimensionlessRatio nonOrthogonality(min = -0.5, max = 0.5) = 0 "d: y reads y + d x, typically 1e-4 to 2e-3 raw";
   parameter Real cubic(unit = "1", min = -0.1, max = 0.1) = 0
     "b: x reads x (1 + 3/4 b |x|^2), typically 1e-5 to 1e-3";
@@ -32,6 +34,9 @@ partial block PartialPickOff "Errors of pick-offs, demodulation and converters"
   output Units.RelativeDisplacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
 protected
   final parameter Units.DimensionlessRatio scale = 1 + ringErrors[1] "Mean gain";
+  final parameter Units.DimensionlessRatio steadyMismatch = gainMismatch + ringErrors[2] + gainPerAccelerationSquared[1]*vibrationVariance[1]
+    + gainPerAccelerationSquared[2]*vibrationVariance[2] + gainPerAccelerationSquared[3]*vibrationVariance[3]
+    "g, with the ring's and what vibration rectifies";
   final parameter Units.DimensionlessRatio obliquity = nonOrthogonality + ringErrors[3] "d, that of the ring included";
   final parameter Units.DimensionlessRatio axes[4] = {
     cos(phaseError + differentialPhase/2),
@@ -46,7 +51,7 @@ protected
   Units.DimensionlessRatio phasor[4] "Cosine and sine of the phase of x, and of y";
 equation
   share = obliquity + samplingSkew*turning;
-  mismatch = gainMismatch + ringErrors[2] + gainPerKelvin*temperature
+  mismatch = steadyMismatch + gainPerKelvin*temperature
     + gainPerAcceleration[1]*acceleration[1] + gainPerAcceleration[2]*acceleration[2]
     + gainPerAcceleration[3]*acceleration[3]
     + gainPerAccelerationSquared[1]*acceleration[1]^2 + gainPerAccelerationSquared[2]*acceleration[2]^2
@@ -61,11 +66,11 @@ equation
     axes[4]*turn[1] + axes[3]*turn[2]};
   annotation (Documentation(info="<html>
 <p>With T the temperature above the reference, f the specific force and V the bias voltage over the nominal one,</p>
-<pre>g = gainMismatch + gainPerKelvin T + gainPerAcceleration f + gainPerAccelerationSquared f^2 (each axis by itself)
+<pre>g = gainMismatch + gainPerKelvin T + gainPerAcceleration f + gainPerAccelerationSquared (f^2 + vibrationVariance) (each axis by itself)
 gain of x, y = m (1 + g/2), m (1 - g/2), m = 1 + gainPerVoltage (V - 1)
 phase of x, y = phaseError + phasePerKelvin T + differentialPhase/2, - differentialPhase/2</pre>
 <p>While the modal angle turns, a y that is sampled later has turned on by that time: y reads y + (d + samplingSkew turning) x.
-The electrode ring adds its g and d, and scales both gains. Mechanisms 2, 4, 7, 10 to 13, 24, 25, 28, 30 and 34 of the catalogue. Non-orthogonality comes first, then the cubic
+The electrode ring adds its g and d, and scales both gains. Mechanisms 2, 4, 7, 10 to 13, 24, 25, 28, 30, 34 and 36 of the catalogue. Non-orthogonality comes first, then the cubic
 nonlinearity and the gain, the phase (the complex envelope cx - i sx times exp(i p)), and offset, feedthrough, noise and
 the converter.</p>
 </html>"));

@@ -41,6 +41,8 @@ those of Conventions. Each line is demonstrated by models of <code>HRG.Validatio
 <tr><td>32</td><td>uneven gap of the electrodes</td><td><code>ring.fourthHarmonic</code>, <code>eccentricity</code>, <code>secondHarmonic</code>, <code>thirdHarmonic</code>, their axes; <code>ring.electrodes</code>, <code>coverage</code></td><td>as 2 to 6 with g = gd = -2 E cos 4 th_4, d = nd = -e = -2 E sin 4 th_4 (16 electrodes; <code>Electrodes.Ring</code> has 8); with 25 a split of 3 E electrostaticShift (V^2 - 1)</td></tr>
 <tr><td>33</td><td>cubic softening by eight electrodes</td><td><code>resonator.material.electrostaticCubic</code></td><td>N = (delta/4) V^2 a^3 s8, P = -delta V^2 a^2 (3 + c8)/4; with phase error B = -(delta p/8k) V^2 a^2 s8</td></tr>
 <tr><td>34</td><td>electrodes read in turn</td><td><code>pickOff.samplingSkew</code></td><td>angle +W (ts/2)(1 + c4); a virtual rotation R as W = -R</td></tr>
+<tr><td>35</td><td>harmonics of the rim's mass</td><td><code>resonator.massDefects.first</code>, <code>second</code>, <code>third</code>, their axes; <code>lateralLoss</code>, <code>axialLoss</code>; <code>vibrationForce</code> with input <code>vibration</code></td><td>as 1 with D = (3/4) lateralLoss m1 m3 about (th_1 + 3 th_3)/4 and (1/4) axialLoss m2^2 about th_2; G + (9/16) lateralLoss m1^2; as 27</td></tr>
+<tr><td>36</td><td>rectified vibration</td><td><code>pickOff.vibrationVariance</code> with <code>gainPerAccelerationSquared</code></td><td>as 2 with g = g_2 S df</td></tr>
 </table>
 <p>The same gyro in its modes:</p>
 <table border=\"1\">

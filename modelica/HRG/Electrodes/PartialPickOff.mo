@@ -3,6 +3,9 @@ partial block PartialPickOff "Errors of pick-offs, demodulation and converters"
   parameter Units.DimensionlessRatio gainMismatch(min = -0.5, max = 0.5) = 0
     "g: x reads (1 + g/2) x, y reads (1 - g/2) y; typically 1e-3 to 1e-2 raw, 1e-5 to 1e-4 calibrated";
   parameter Units.LinearTemperatureCoefficient gainPerKelvin(min = -0.01, max = 0.01) = 0 "Change of g with temperature, typically 1e-6 to 1e-5";
+  parameter Units.LinearTemperatureCoefficient gainPerGradient(min = -0.01, max = 0.01) = 0
+    "Change of g with the case's temperature above the resonator's (hysteresis), typically 1e-6 to 1e-5 (estimate)";
+  parameter Real gainAgeing(unit = "1/s", min = -1e-4, max = 1e-4) = 0 "Change of g with age, typically 1e-13 to 1e-11: 3e-6 to 3e-4 a year (estimate)";
   parameter Units.PerAcceleration gainPerAcceleration[3](each min = -0.01, each max = 0.01) = {0, 0, 0}
     "Change of g with specific force (gap change), typically up to 1e-5";
   parameter Real gainPerAccelerationSquared[3](each unit = "s4/m2", each min = -0.01, each max = 0.01) = {0, 0, 0}
@@ -27,6 +30,8 @@ partial block PartialPickOff "Errors of pick-offs, demodulation and converters"
     "Change of both gains with the bias voltage over the nominal one, typically 1 where the bias polarises the pick-offs, 0 with a carrier of their own";
   parameter Real ringErrors[9] "Errors of the electrode ring, as of ringErrors";
   input Units.TemperatureDifference temperature "Above the reference";
+  input Units.TemperatureDifference gradient "Case above the resonator";
+  input Units.Time age "Time since power-on";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
   input Units.AngularVelocity turning "Rate of the modal angle, as the case turns and as commanded";
   input Units.DimensionlessRatio biasVoltage "Over the nominal one";
@@ -51,7 +56,7 @@ protected
   Units.DimensionlessRatio phasor[4] "Cosine and sine of the phase of x, and of y";
 equation
   share = obliquity + samplingSkew*turning;
-  mismatch = steadyMismatch + gainPerKelvin*temperature
+  mismatch = steadyMismatch + gainPerKelvin*temperature + gainPerGradient*gradient + gainAgeing*age
     + gainPerAcceleration[1]*acceleration[1] + gainPerAcceleration[2]*acceleration[2]
     + gainPerAcceleration[3]*acceleration[3]
     + gainPerAccelerationSquared[1]*acceleration[1]^2 + gainPerAccelerationSquared[2]*acceleration[2]^2
@@ -66,11 +71,11 @@ equation
     axes[4]*turn[1] + axes[3]*turn[2]};
   annotation (Documentation(info="<html>
 <p>With T the temperature above the reference, f the specific force and V the bias voltage over the nominal one,</p>
-<pre>g = gainMismatch + gainPerKelvin T + gainPerAcceleration f + gainPerAccelerationSquared (f^2 + vibrationVariance) (each axis by itself)
+<pre>g = gainMismatch + gainPerKelvin T + gainPerGradient (case's temperature - resonator's) + gainAgeing age + gainPerAcceleration f + gainPerAccelerationSquared (f^2 + vibrationVariance) (each axis by itself)
 gain of x, y = m (1 + g/2), m (1 - g/2), m = 1 + gainPerVoltage (V - 1)
 phase of x, y = phaseError + phasePerKelvin T + differentialPhase/2, - differentialPhase/2</pre>
 <p>While the modal angle turns, a y that is sampled later has turned on by that time: y reads y + (d + samplingSkew turning) x.
-The electrode ring adds its g and d, and scales both gains. Mechanisms 2, 4, 7, 10 to 13, 24, 25, 28, 30, 34 and 36 of the catalogue. Non-orthogonality comes first, then the cubic
+The electrode ring adds its g and d, and scales both gains. Mechanisms 2, 4, 7, 10 to 13, 24, 25, 28, 30, 31, 34 and 36 of the catalogue. Non-orthogonality comes first, then the cubic
 nonlinearity and the gain, the phase (the complex envelope cx - i sx times exp(i p)), and offset, feedthrough, noise and
 the converter.</p>
 </html>"));

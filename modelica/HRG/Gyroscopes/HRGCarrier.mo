@@ -27,6 +27,8 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     force = controller.force,
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
+    gradient = resonator.environment.gradient,
+    age = resonator.environment.age,
     turning = (1 - controller.forceToRebalance)
       *(2*controller.readout.bryanFactor*virtualRotation*driveOn - resonator.material.coupling),
     biasVoltage = biasVoltage,

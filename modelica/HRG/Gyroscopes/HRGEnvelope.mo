@@ -21,6 +21,8 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
     force = controller.acting,
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
+    gradient = resonator.environment.gradient,
+    age = resonator.environment.age,
     turning = (1 - controller.forceToRebalance)
       *(2*controller.readout.bryanFactor*virtualRotation*driveOn - resonator.material.coupling),
     biasVoltage = biasVoltage,

@@ -20,6 +20,8 @@ model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-ste
     force = controller.force,
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
+    gradient = resonator.environment.gradient,
+    age = resonator.environment.age,
     turning = (1 - controller.forceToRebalance)
       *(2*controller.readout.bryanFactor*virtualRotation*driveOn - resonator.material.coupling),
     biasVoltage = biasVoltage,

@@ -8,6 +8,8 @@ block Material "Damping, stiffness and coupling of the shell under its environme
     "D = 1/tau1 - 1/tau2 between the axes of maximum and minimum damping, typically 0.1 to 2 % of 1/tau";
   parameter Units.Angle dampingAxis(min = -1000, max = 1000) = 0 "Pattern angle of maximum damping";
   parameter Units.LinearTemperatureCoefficient dampingAnisotropyPerKelvin(min = -1, max = 1) = 0 "Of the damping anisotropy, typically up to 0.01";
+  parameter Real dampingAnisotropyAgeing(unit = "1/s", min = -1e-4, max = 1e-4) = 0
+    "Relative growth of the damping anisotropy with age, typically 1e-10 to 1e-8: 0.3 to 30 % a year (estimate)";
   parameter Units.DampingCoefficient mountingDamping(min = 0, max = 1e-2) = 0
     "Damping anisotropy that the mounting adds (anchor loss), changes with remounting and shock, typically up to the shell's own, 0.1 to 2 % of 1/tau";
   parameter Units.Angle mountingAxis(min = -1000, max = 1000) = 0 "Its pattern angle of maximum damping";
@@ -57,11 +59,11 @@ protected
   final parameter Units.AngularFrequency trimSin = electrostaticSplit/2*sin(4*electrostaticAxis) + electrostaticShift*ringErrors[9] "Of the trim and the gap, off diagonal";
   Units.DampingCoefficient damping "Mean damping";
   Units.DampingCoefficient dampingCos "Anisotropic damping, diagonal";
-  Units.DimensionlessRatio warmth "Factor of the damping anisotropy";
+  Units.DimensionlessRatio warmth "Factor of the damping anisotropy by temperature and age";
   Units.DimensionlessRatio voltageChange "Change of the squared bias voltage";
 equation
   damping = exp(decayTimeAgeing*age)/(decayTime*stretched(decayTimePerKelvin*temperature)) + supportLoss;
-  warmth = 1 + dampingAnisotropyPerKelvin*temperature;
+  warmth = 1 + dampingAnisotropyPerKelvin*temperature + dampingAnisotropyAgeing*age;
   dampingCos = ownCos*warmth + mountingCos;
   dampingSin = ownSin*warmth + mountingSin;
   dampingX = damping + dampingCos;
@@ -78,7 +80,7 @@ equation
 <p>With T the temperature above the reference, V the bias voltage over the nominal one, f the specific force and {c, s} = {cos, sin} of four
 times an axis,</p>
 <pre>1/tau = exp(decayTimeAgeing age)/(decayTime (1 + decayTimePerKelvin T)) + supportLoss
-(D/2) {ct, st} = (dampingAnisotropy/2)(1 + dampingAnisotropyPerKelvin T) {c, s} + (mountingDamping/2) {c, s}
+(D/2) {ct, st} = (dampingAnisotropy/2)(1 + dampingAnisotropyPerKelvin T + dampingAnisotropyAgeing age) {c, s} + (mountingDamping/2) {c, s}
 (dw/2) {cw, sw} = (frequencySplit/2) {c, s} + (electrostaticSplit/2)(V^2 - 1) {c, s} + (splitPerAcceleration f/2) {1, 0}
 frequency of x, y lower by electrostaticCubic V^2 |X|^2, electrostaticCubic V^2 |Y|^2
 mean frequency = frequency (1 + frequencyPerKelvin T) - electrostaticShift (V^2 - 1)

@@ -14,11 +14,11 @@ from matplotlib.figure import Figure
 
 from ins_eval.alignment.result import Alignment
 from ins_eval.common.state import position_error
-from ins_eval.error_model.budget.budget_figure import plot_budget
-from ins_eval.error_model.budget.sigma_budget import COLUMNS as SIGMA_COLUMNS
-from ins_eval.flights.flown import COLUMNS, Budget
+from ins_eval.error_model.budget_figure import plot_budget
+from ins_eval.error_model.error_budget import COLUMNS as SIGMA_COLUMNS
+from ins_eval.flights.linear import COLUMNS, Budget
 from ins_eval.flights.plan import Plan
-from ins_eval.results import tables
+from ins_eval.results import flights
 from ins_eval.results.growth_figure import draw_growth
 from ins_eval.results.map_figure import draw_map
 from ins_eval.results.png import save_png
@@ -120,15 +120,15 @@ class Flight:
             DOCUMENT: lambda path: path.write_text(
                 json.dumps(_make_document(self), indent=2) + "\n"
             ),
-            "flights.csv": lambda path: tables.write_csv(dataset, path),
-            "flights.parquet": lambda path: tables.write_parquet(dataset, path),
-            "flights.nc": lambda path: tables.write_netcdf(dataset, path),
+            "flights.csv": lambda path: flights.write_csv(dataset, path),
+            "flights.parquet": lambda path: flights.write_parquet(dataset, path),
+            "flights.nc": lambda path: flights.write_netcdf(dataset, path),
             "map.png": lambda path: save_png(self.plot(), path),
         }
         if "radial_error" in self.dataset:
             writers["growth.png"] = lambda path: save_png(self.plot_growth(), path)
         if self.budget or self.sigma_budget is not None:
-            writers["budget.csv"] = lambda path: tables.write_table(self.budget_table, path)
+            writers["budget.csv"] = lambda path: flights.write_table(self.budget_table, path)
         if budget := self.budget:
             writers["budget.png"] = lambda path: save_png(
                 plot_budget(budget.weights, budget.shares, self.title), path

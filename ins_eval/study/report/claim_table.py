@@ -11,9 +11,8 @@ from ins_eval.study.report.claims import (
     list_failures,
     name_requirement,
 )
-from ins_eval.study.report.figures.filters import name_calibration
 from ins_eval.study.report.figures.matrix import render_estimate
-from ins_eval.study.report.figures.parts import make_fold
+from ins_eval.study.report.figures.parts import make_fold, name_calibration
 from ins_eval.study.study_data import CONDITIONS_KEY, StudyData
 from ins_eval.study.tables.score import FAILS, HOLDS, Score
 from pyhrg.common.pages.markup import make_paragraph

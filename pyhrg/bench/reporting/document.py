@@ -11,7 +11,7 @@ import numpy as np
 
 from pyhrg.bench.outcome import UNITS, Finding, Outcome
 from pyhrg.bench.procedure import Procedure
-from pyhrg.bench.reporting.judgement import judge_findings
+from pyhrg.bench.reporting.text import judge_findings
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.toml_table import TomlTable, read_json_table
 

@@ -6,9 +6,8 @@ from pyhrg.common.pages.svg import format_interval, format_number
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, GapFigure, KnownValue
 from pyhrg.gap.report.closing import describe_closing
-from pyhrg.gap.report.mechanisms import find_nearest
 from pyhrg.gap.report.places import sum_shares
-from pyhrg.gap.report.terms import describe_class, describe_term, name_term
+from pyhrg.gap.report.terms import describe_class, describe_term, find_nearest, name_term
 from pyhrg.gap.report.words import (
     CHANNELS,
     COORDINATES,

@@ -173,7 +173,7 @@ static void tick(Gyro *g, double rotation, double setpoint) {
   g->gyro_angle = angle;
   double lag = p->loop_delay * (g->modal - before) / TS, lc = 1.0 - lag * lag / 2.0;
   double ls = lag - lag * lag * lag / 6.0, fc = cs * lc + sn * ls, fs = sn * lc - cs * ls;
-  double antinode = growth * amplitude, node = 2.0 * rate * amplitude;
+  double antinode = growth, node = 2.0 * rate * amplitude;
   g->command[0] = antinode * fc - node * fs, g->command[1] = -square * fs;
   g->command[2] = antinode * fs + node * fc, g->command[3] = square * fc;
   const double *u = g->command;

@@ -16,8 +16,8 @@ protected
   Real sx "Component of x in quadrature with the reference";
   Real cy "Component of y in phase with the reference";
   Real sy "Component of y in quadrature with the reference";
-  Real detuningX "Of the frame above x, its Duffing shift included";
-  Real detuningY "Of the frame above y, its Duffing shift included";
+  Real detuningX "Of the frame above x, its shift by the amplitude included";
+  Real detuningY "Of the frame above y, its shift by the amplitude included";
   Real squareX "Squared amplitude of x";
   Real squareY "Squared amplitude of y";
   Real swing "Duffing shift by both modes' squared amplitude";
@@ -29,10 +29,10 @@ algorithm
   sy := displacement[4];
   squareX := cx*cx + sx*sx;
   squareY := cy*cy + sy*sy;
-  swing := duffing*(cx*cx + sx*sx + cy*cy + sy*sy);
+  swing := duffing*(squareX + squareY);
   turn := coupling + 2/3*duffing*(cx*sy - cy*sx);
-  detuningX := detuning + splitCos - swing + cubic*squareX;
-  detuningY := detuning - splitCos - swing + cubic*squareY;
+  detuningX := detuning + splitCos - (swing - cubic*squareX);
+  detuningY := detuning - splitCos - (swing - cubic*squareY);
   rates[1] := -dampingX*cx - dampingSin*cy - detuningX*sx - splitSin*sy + turn*cy;
   rates[2] := -dampingX*sx - dampingSin*sy + detuningX*cx + splitSin*cy + turn*sy;
   rates[3] := -dampingY*cy - dampingSin*cx - detuningY*sy - splitSin*sx - turn*cx;

@@ -22,7 +22,7 @@ from ins_eval.results import flights
 from ins_eval.results.growth_figure import draw_growth
 from ins_eval.results.map_figure import draw_map
 from ins_eval.results.png import save_png
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, to_json_value
 from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.files import stage_files
 from pyhrg.common.made_by import list_versions
@@ -194,15 +194,8 @@ def _end_document(flight: Flight) -> dict[str, Any]:
     names += ["latitude_deg", "longitude_deg"]
     values = {name: name.rpartition("_")[0] for name in names}
     found = {name: last[short].values for name, short in values.items() if short in last}
-    numbers = {name: _finite(value.tolist()) for name, value in found.items()}
+    numbers = to_json_value(found)
     return {"time_s": float(last["time"]), **numbers}
-
-
-def _finite(value: Any) -> Any:
-    """What isn't known is null."""
-    if isinstance(value, list):
-        return [_finite(each) for each in value]
-    return value if math.isfinite(value) else None
 
 
 def _end_rows(flight: Flight, last: xr.Dataset) -> list[tuple[str, list[float]]]:

@@ -6,6 +6,7 @@ from pathlib import Path
 import fmpy
 import numpy as np
 import pytest
+from pyhrg.records.imu.increments import Increments
 
 import ins_eval
 from fmu_build import build_fmu
@@ -17,7 +18,6 @@ from ins_eval.navigation.coefficients import derive_coefficients
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
 from ins_eval.system.system import list_start
 from pyhrg.common.arrays import Array
-from pyhrg.records.imu.increments import Increments
 
 INTERVAL = 0.01
 OUTPUTS = ["latitude", "longitude", "height", "velocityNorth", "velocityEast", "velocityDown"]

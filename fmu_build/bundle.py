@@ -78,8 +78,7 @@ def build_fmu(
     A wheel holds those of FMI 2.0, for all platforms: no compiler is needed where it is installed.
 
     Args:
-        model: a key of `fmu_build.roots.ROOTS` or `PARTS`: HRG, HRGCarrier, HRGSlow, Navigator or
-            Accelerometers.
+        model: a key of `fmu_build.roots.ROOTS` (the gyro: HRG, HRGCarrier or HRGSlow) or `PARTS`.
         class_file: a Modelica file that holds one class, named as the file, that is a gyro with
             sampled loops and uses the library HRG; it takes the place of `model`.
         fmi: version of the standard, 2 or 3.
@@ -253,6 +252,6 @@ def _make_enclosures(
     }
     found |= run.files(root.identifier)
     found |= {f"documentation/licenses/{n}": text for n, text in list_licence_files(fmi).items()}
-    if root.file is None:
+    if root.identifier in ROOTS:
         found |= {f"resources/{file.name}": file.read_bytes() for file in DEVICES.glob("*.ssv")}
     return found | ({"model.png": icon} if fmi == 2 else {})

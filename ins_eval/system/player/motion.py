@@ -5,6 +5,10 @@ from pyhrg.records.imu.increments import Increments
 
 from ins_eval.navigation.height import Clamped
 from pyhrg.common.arrays import Array
+<<<<<<< HEAD
+=======
+from pyhrg.records.imu.log import Increments
+>>>>>>> sys
 
 MAGIC = b"HRGPATH1"
 """The first bytes of the file; the number is that of its format."""

@@ -18,6 +18,10 @@ from ins_eval.navigation.coefficients import derive_coefficients
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
 from ins_eval.system.system import list_start
 from pyhrg.common.arrays import Array
+<<<<<<< HEAD
+=======
+from pyhrg.records.imu.log import Increments
+>>>>>>> sys
 
 INTERVAL = 0.01
 OUTPUTS = ["latitude", "longitude", "height", "velocityNorth", "velocityEast", "velocityDown"]

@@ -15,6 +15,10 @@ from ins_eval.system.player.motion import format_motion
 from ins_eval.system.player.trajectory_fmu import build_trajectory_fmu
 from ins_eval.system.player.variables import list_variables, name_case_axis
 from pyhrg.common.arrays import Array
+<<<<<<< HEAD
+=======
+from pyhrg.records.imu.log import Increments
+>>>>>>> sys
 
 INTERVAL, COUNT = 0.02, 50
 GENERATOR = np.random.default_rng(3)

@@ -175,6 +175,15 @@ def _guess_columns(sketch: Sketch) -> dict[str, str]:
         stem = next((stem for stem in guesses if stem not in lines), "")
         if stem:
             lines[stem] = guesses[stem]
+    return _align_origins(lines)
+
+
+def _align_origins(lines: dict[str, str]) -> dict[str, str]:
+    """Lines whose output angle counts from zero where the table's does: one that is logged as an
+    angle, since sums of rates begin at zero."""
+    gyro = lines.get("gyro_angle", "")
+    if "from_zero" in lines.get("table_angle", "") and gyro and "integrate" not in gyro:
+        lines["gyro_angle"] = gyro.replace(" }", ", from_zero = true }")
     return lines
 
 

@@ -141,7 +141,8 @@ def _draft_test(
 ) -> list[str]:
     kind = next(kind for kind, pattern in KINDS.items() if re.search(pattern, name.lower()))
     lines = ["[[tests]]", f'id = "{name}"', f'kind = "{kind}"   # guessed']
-    lines += ['role = "fit"   # or "holdout": verifies a diagnosis; neither fitted nor benched', f"file = '{path}'"]
+    lines.append('role = "fit"   # or "holdout": verifies a diagnosis; neither fitted nor benched')
+    lines.append(f"file = '{path}'")
     if "time" not in guessed:
         lines.append("interval_s = 1.0   # edit: no column of times was found")
     absent = [f'"{stem}"' for stem in shared if stem not in {**guessed, **CONSTANTS}]

@@ -11,7 +11,7 @@ from .study.challenge.challenge import hand_out_challenge, score_challenge
 from .study.run_study import StudyResult, run_study
 from .study.study_file import load_study
 from .study.summary.predict_error import predict_error
-from .study.validation.validate import validate
+from .study.validation import validate
 from .trajectories.catalogue import list_trajectories, load_trajectory
 
 __all__ = [

@@ -10,14 +10,19 @@ from scipy.stats import f as f_distribution
 from pyhrg.common.arrays import Array
 from pyhrg.gap.static_record.belief import Belief
 from pyhrg.gap.static_record.fit.evidence import RAMP, Posterior, Problem, build_problem
-from pyhrg.gap.static_record.fit.hypotheses import FALSE_ALARMS, Ranking, rank_explanations
+from pyhrg.gap.static_record.fit.hypotheses import (
+    FALSE_ALARMS,
+    Ranking,
+    rank_explanations,
+    split_octaves,
+    sum_octaves,
+)
 from pyhrg.gap.static_record.fit.likelihood import (
     Transform,
     estimate_columns,
     transform_record,
     whiten_coefficients,
 )
-from pyhrg.gap.static_record.fit.unknowns import split_octaves, sum_octaves
 from pyhrg.gap.static_record.record import Channel
 from pyhrg.gap.static_record.terms import Kind, Term
 
@@ -172,14 +177,14 @@ def _reach_verdict(
 def _make_cause(channel: Channel, ranking: Ranking, chosen: Posterior, effect: int) -> Cause:
     """A term with its level. White noise of the angle is called quantization if the readings lie on
     a grid whose step agrees with it."""
-    kind, step = channel.kind, channel.quantum
+    kind, step = channel.kind, channel.quantization_step
     term = _get_term(kind, chosen.problem, effect)
     levels = _draw_levels(chosen, effect) / term.factor
     low, value, high = _compute_quantiles(levels, chosen.weights, (TAIL, 0.5, 1 - TAIL))
     if term is kind.terms[0] and step is not None:
         steps = np.array([low, value, high]) * term.factor * np.sqrt(12)
         if steps[0] <= step <= steps[2]:
-            term = kind.quantum
+            term = kind.quantization
             low, value, high = (steps / term.factor).tolist()
     equivalents = _find_equivalents(kind, ranking, chosen, effect)
     return Cause(term, ranking.get_probability(effect), value, low, high, tuple(equivalents))

@@ -11,12 +11,8 @@ from .study.challenge.challenge import hand_out_challenge, score_challenge
 from .study.run_study import StudyResult, run_study
 from .study.study_file import load_study
 from .study.summary.predict_error import predict_error
-<<<<<<< HEAD
 from .study.validation.validate import validate
 from .system.system import write_system
-=======
-from .study.validation import validate
->>>>>>> house
 from .trajectories.catalogue import list_trajectories, load_trajectory
 
 __all__ = [

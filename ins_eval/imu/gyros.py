@@ -12,7 +12,7 @@ from fmu_build.bundle import build_fmu
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.map_sizes import MapSizes, size_maps
 from ins_eval.imu.mounting import Mounting
-from ins_eval.imu.sensor_error_model import GyroReading
+from ins_eval.imu.stated_gyros import GyroReading
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position import full_circumference
 from pyhrg.bench.dynamic.start_up import START

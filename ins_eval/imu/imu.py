@@ -8,12 +8,8 @@ from numpy.typing import NDArray
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.mounting import ORTHOGONAL, Mounting
-from ins_eval.imu.sensor_error_model import (
-    IDEAL_GYROS,
-    IDEAL_SENSORS,
-    SensorErrorModel,
-    StatedGyros,
-)
+from ins_eval.imu.sensor_error_model import IDEAL_SENSORS, SensorErrorModel
+from ins_eval.imu.stated_gyros import IDEAL_GYROS, StatedGyros
 from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.units import STANDARD_GRAVITY
 from pyhrg.records.imu.log import Increments

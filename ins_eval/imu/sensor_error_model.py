@@ -1,18 +1,13 @@
-"""Stated errors of three equal sensors: accelerometers, or gyros that are simulated by them and not
-by an FMU.
-"""
+"""Stated errors of three equal sensors: accelerometers, or gyros that are not simulated by an
+FMU."""
 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ins_eval.common.sensor_errors import SensorErrors
-from ins_eval.imu.mounting import Mounting
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import MICRO_G
 from pyhrg.noise.coefficients import draw_flicker
-from pyhrg.records.imu.log import Increments
 
 
 @dataclass(frozen=True)
@@ -107,45 +102,3 @@ def quantize(increments: Array, quantization_step: float) -> Array:
     so that the error of the sum never exceeds half a count."""
     counts = np.rint(np.cumsum(increments, axis=0) / quantization_step)
     return np.asarray(quantization_step * np.diff(counts, axis=0, prepend=0.0))
-
-
-@dataclass(frozen=True)
-class GyroReading:
-    """Output of three gyros.
-
-    rotation: (n, 3) increments about the input axes, rad; pattern_angle: (n, 3) at the end of each
-    interval, rad, None for gyros without a pattern; ready: (n,) whether all three are ready at that
-    time, None for gyros without start-up.
-    """
-
-    rotation: Array
-    pattern_angle: Array | None = None
-    ready: NDArray[np.bool_] | None = None
-
-
-@dataclass(frozen=True)
-class StatedGyros:
-    """Gyros with stated errors, none by default; they need no FMU."""
-
-    error_model: SensorErrorModel = IDEAL_SENSORS
-
-    def measure(
-        self, truth: Increments, mounting: Mounting, generator: np.random.Generator
-    ) -> GyroReading:
-        """Simulate the gyros on the true motion."""
-        components = mounting.project(truth.rotation)
-        return GyroReading(self.error_model.measure(components, truth.interval, generator))
-
-    @property
-    def errors(self) -> SensorErrors:
-        """Sensor errors of one gyro that a linear model should assume. Scale factor and
-        misalignment are left out: they depend on the manoeuvre."""
-        return SensorErrors(
-            gyro_bias=self.error_model.bias.size,
-            angle_random_walk=self.error_model.random_walk,
-            gyro_bias_instability=self.error_model.bias_instability,
-            angle_quantization_step=self.error_model.quantization_step,
-        )
-
-
-IDEAL_GYROS = StatedGyros()

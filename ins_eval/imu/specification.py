@@ -7,7 +7,8 @@ from typing import Any
 from ins_eval.imu.gyros import FmuGyros, read_differences
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.mounting import ORTHOGONAL, Mounting, MountingError, make_mounting
-from ins_eval.imu.sensor_error_model import AxisConstants, SensorErrorModel, StatedGyros
+from ins_eval.imu.sensor_error_model import AxisConstants, SensorErrorModel
+from ins_eval.imu.stated_gyros import StatedGyros
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import is_file
 from pyhrg.common.toml_table import TomlTable, read_table

@@ -9,7 +9,8 @@ import numpy as np
 from ins_eval.common.metrics import PairedRatio, compute_paired_ratio
 from ins_eval.imu.sensor_error_model import TYPICAL_ACCELEROMETERS
 from ins_eval.parking.gyro import measure_maps
-from ins_eval.parking.triad import DRIVES, Mission, TriadFlights, fly_triad
+from ins_eval.parking.mission import Mission
+from ins_eval.parking.triad import DRIVES, TriadFlights, fly_triad
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.common.arguments import count_cores

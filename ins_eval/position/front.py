@@ -7,12 +7,12 @@ import pandas as pd
 
 from fmu_build.bundle import build_fmu
 from ins_eval.mission_model.missions import LONGEST_HOURS
+from ins_eval.position.diagnosis import read_diagnosed_gyro
 from ins_eval.position.position import (
     MissionGap,
     MissionGaps,
     PositionRequest,
     compute_mission_gaps,
-    read_diagnosed_gyro,
 )
 from ins_eval.position.report import build_section, write_sentences
 from pyhrg.common.arguments import check_number, check_seed, check_whole_number

@@ -6,7 +6,7 @@
 from pyhrg.fmu.archive import GyroError
 from pyhrg.fmu.gyro import CHUNK, Gyro
 from pyhrg.fmu.gyro_fmu import GyroFmu
-from pyhrg.fmu.loops import COMMANDS, CONTROL_PERIOD
+from pyhrg.fmu.rows import COMMANDS, CONTROL_PERIOD
 from pyhrg.fmu.together import WIDE, record_together
 
 __all__ = [

@@ -6,7 +6,8 @@ from types import TracebackType
 from pyhrg.common.arrays import Array
 from pyhrg.fmu.archive import GyroError
 from pyhrg.fmu.instance import Instance
-from pyhrg.fmu.loops import Layout, Rows, arrange_rows, record
+from pyhrg.fmu.loops import record
+from pyhrg.fmu.rows import Layout, Rows, arrange_rows
 
 CHUNK = 20_000
 """Number of communication steps after which a drive looks whether it was stopped. Chosen: a second

@@ -14,7 +14,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
 from pyhrg.fmu.gyro import CHUNK, Gyro
-from pyhrg.fmu.loops import Layout, Rows, arrange_rows
+from pyhrg.fmu.rows import Layout, Rows, arrange_rows
 
 _Addresses = ctypes.c_void_p * 4
 """Addresses of what belongs to moving and held inputs, outputs at the end and outputs averaged."""

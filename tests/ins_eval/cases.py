@@ -4,7 +4,7 @@ import numpy as np
 
 from ins_eval.common import earth
 from ins_eval.mission_model.missions import STILL
-from ins_eval.parking.triad import Mission, sample_mission
+from ins_eval.parking.mission import Mission, sample_mission
 from ins_eval.trajectories.catalogue import load_trajectory
 from pyhrg.records.imu.log import Increments
 

@@ -5,13 +5,8 @@ from typing import Literal, get_args
 import numpy as np
 
 from ins_eval.mission_model.gyro_map import HARMONICS, NAMES
-from ins_eval.study.gyros.bench_plan import (
-    CALIBRATION,
-    BenchPlan,
-    fit_bias_maps,
-    fit_scale_maps,
-    record_campaign,
-)
+from ins_eval.study.gyros.bench_maps import fit_bias_maps, fit_scale_maps
+from ins_eval.study.gyros.bench_plan import CALIBRATION, BenchPlan, record_campaign
 from pyhrg.bench.calibration.calibration_maps import add_maps
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import AngleMap, Device

@@ -7,13 +7,8 @@ import numpy as np
 
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.pattern_drift import TURNING_TERMS
-from ins_eval.study.gyros.bench_plan import (
-    WARM_RISE,
-    BenchPlan,
-    fit_bias_maps,
-    fit_scale_maps,
-    record_campaign,
-)
+from ins_eval.study.gyros.bench_maps import fit_bias_maps, fit_scale_maps
+from ins_eval.study.gyros.bench_plan import WARM_RISE, BenchPlan, record_campaign
 from ins_eval.study.gyros.true_maps import soak_gyro
 from pyhrg.bench.bias.bias_test import BiasTest
 from pyhrg.bench.bias.position import fixed_position, full_circumference

@@ -1,14 +1,10 @@
 """The file that the trajectory's FMU plays: the motion of a vehicle, sampled."""
 
 import numpy as np
-from pyhrg.records.imu.increments import Increments
 
 from ins_eval.navigation.height import Clamped
 from pyhrg.common.arrays import Array
-<<<<<<< HEAD
-=======
 from pyhrg.records.imu.log import Increments
->>>>>>> sys
 
 MAGIC = b"HRGPATH1"
 """The first bytes of the file; the number is that of its format."""

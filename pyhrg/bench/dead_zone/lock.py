@@ -15,7 +15,8 @@ import numpy as np
 from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, MEAN, Fit, name_terms
 from pyhrg.bench.estimation.row_fit import Part, compute_inflations, fit_rows
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.readings.segments import COLUMNS, SEGMENT, find_plateaus
+from pyhrg.bench.readings.plateaus import find_plateaus
+from pyhrg.bench.readings.segments import COLUMNS, SEGMENT
 from pyhrg.common.arrays import Array
 from pyhrg.common.site import Site
 from pyhrg.common.units import DEG

@@ -19,7 +19,7 @@ from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.segments import Plateau, find_plateaus
+from pyhrg.bench.readings.plateaus import Plateau, find_plateaus
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG
 from pyhrg.records import Log

@@ -13,13 +13,12 @@ import numpy as np
 
 from pyhrg.bench.programme import Course
 from pyhrg.challenge.campaigns.gyro import Disturbance
-from pyhrg.challenge.truths.form import (
+from pyhrg.challenge.truths.conditions import (
     Conditions,
-    Disturb,
-    draw_sign,
     find_conditions_of_course,
     find_conditions_of_log,
 )
+from pyhrg.challenge.truths.form import Disturb, draw_sign
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.records import Log

@@ -13,7 +13,8 @@ from pyhrg.bench.programme import Course, Programme, make_course
 from pyhrg.challenge.campaigns.gyro import Disturbance, TrueGyro
 from pyhrg.challenge.campaigns.instruments import Instruments
 from pyhrg.challenge.campaigns.laboratory import Laboratory
-from pyhrg.challenge.truths.noise_strength import measure_noise, measure_unsteadiness, set_noise
+from pyhrg.challenge.truths.noise_strength import measure_noise, set_noise
+from pyhrg.challenge.truths.unsteadiness import measure_unsteadiness
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD

@@ -14,6 +14,7 @@ import numpy as np
 
 from pyhrg.bench.programme import Course
 from pyhrg.challenge.campaigns.gyro import Disturbance
+from pyhrg.challenge.truths.conditions import Conditions
 from pyhrg.challenge.truths.entry import (
     Shape,
     command,
@@ -26,7 +27,7 @@ from pyhrg.challenge.truths.entry import (
     turn_by_amplitude,
     vary,
 )
-from pyhrg.challenge.truths.form import Conditions, Disturb, Form, apply_play, draw_sign
+from pyhrg.challenge.truths.form import Disturb, Form, apply_play, draw_sign
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, HZ, MINUTE, PPM, STANDARD_GRAVITY
 from pyhrg.device.device import Device

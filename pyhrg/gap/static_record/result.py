@@ -9,7 +9,7 @@ import pandas as pd
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import describe_briefly
 from pyhrg.gap.static_record.fit.diagnosis import ChannelDiagnosis
-from pyhrg.gap.static_record.fit.hypotheses import split_octaves
+from pyhrg.gap.static_record.fit.unknowns import split_octaves
 from pyhrg.gap.static_record.terms import GYRO
 
 VERDICTS = ("no_gap", "explained", "ambiguous", "unexplained")

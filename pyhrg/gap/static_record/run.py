@@ -10,7 +10,8 @@ from pyhrg.common.errors import HrgError
 from pyhrg.gap.static_record.allan import RecordNoise, measure_noise
 from pyhrg.gap.static_record.belief import Belief, read_beliefs
 from pyhrg.gap.static_record.fit.diagnosis import diagnose_channel
-from pyhrg.gap.static_record.fit.hypotheses import FALSE_ALARMS, split_octaves
+from pyhrg.gap.static_record.fit.hypotheses import FALSE_ALARMS
+from pyhrg.gap.static_record.fit.unknowns import split_octaves
 from pyhrg.gap.static_record.record import Channel, StaticRecord, read_static_record
 from pyhrg.gap.static_record.result import RecordDiagnosis
 

@@ -10,8 +10,9 @@ import pytest
 
 from ins_eval.parking import parking, report
 from ins_eval.parking.gyro import CASES
+from ins_eval.parking.mission import Mission
 from ins_eval.parking.study import Comparison
-from ins_eval.parking.triad import RECORDS, Mission
+from ins_eval.parking.triad import RECORDS
 from pyhrg.common.cli import main
 
 

@@ -13,7 +13,8 @@ from ins_eval.flights.assumed_errors import (
 )
 from ins_eval.imu import specification
 from ins_eval.imu.imu import Imu
-from ins_eval.imu.sensor_error_model import AxisConstants, SensorErrorModel, StatedGyros
+from ins_eval.imu.sensor_error_model import AxisConstants, SensorErrorModel
+from ins_eval.imu.stated_gyros import StatedGyros
 from ins_eval.trajectories import catalogue
 from pyhrg.noise.coefficients import compute_process_variance
 

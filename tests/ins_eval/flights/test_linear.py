@@ -15,7 +15,7 @@ from ins_eval.flights.flight import Runs, Truth, fly_runs, sample_truth
 from ins_eval.flights.plan import Plan, count_row_increments
 from ins_eval.imu import specification
 from ins_eval.imu.imu import Imu
-from ins_eval.imu.sensor_error_model import StatedGyros
+from ins_eval.imu.stated_gyros import StatedGyros
 from ins_eval.trajectories import catalogue
 
 REAL = Path(__file__).parents[4] / "shared" / "real"

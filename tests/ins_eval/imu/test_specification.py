@@ -8,7 +8,8 @@ import pytest
 from ins_eval.imu import specification
 from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
-from ins_eval.imu.sensor_error_model import TYPICAL_ACCELEROMETERS, StatedGyros
+from ins_eval.imu.sensor_error_model import TYPICAL_ACCELEROMETERS
+from ins_eval.imu.stated_gyros import StatedGyros
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, MICRO_G, PPM
 from pyhrg.device.ready_devices import TYPICAL

@@ -7,7 +7,7 @@ from ins_eval.common.state import State, position_error
 from ins_eval.navigation.coefficients import SAMPLES_PER_STEP
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
-from ins_eval.parking.triad import Mission, sample_mission
+from ins_eval.parking.mission import Mission, sample_mission
 from ins_eval.trajectories.catalogue import load_trajectory
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG_PER_H

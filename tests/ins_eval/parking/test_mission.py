@@ -7,7 +7,7 @@ import pytest
 
 from ins_eval.common import earth
 from ins_eval.mission_model.missions import STILL
-from ins_eval.parking.triad import INTERVAL, Mission, find_ready_time
+from ins_eval.parking.mission import INTERVAL, Mission, find_ready_time
 from pyhrg.common.errors import HrgError
 from tests.ins_eval.cases import short_mission
 

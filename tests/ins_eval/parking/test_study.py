@@ -7,8 +7,8 @@ import pytest
 
 from ins_eval.mission_model.missions import STILL
 from ins_eval.parking.gyro import CASES, Known, Start, measure_maps
+from ins_eval.parking.mission import INTERVAL
 from ins_eval.parking.study import Comparison, compare, compare_with_first_case
-from ins_eval.parking.triad import INTERVAL
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position.full_circumference import SHORTEST
 from pyhrg.common.units import DEG_PER_H

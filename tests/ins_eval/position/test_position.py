@@ -14,7 +14,8 @@ from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import plan_mission
 from ins_eval.mission_model.position_errors import compute_position_errors
 from ins_eval.mission_model.weights_cache import load_mission_weights
-from ins_eval.position.position import PositionRequest, compute_mission_gaps, read_diagnosed_gyro
+from ins_eval.position.diagnosis import read_diagnosed_gyro
+from ins_eval.position.position import PositionRequest, compute_mission_gaps
 from ins_eval.position.triad_errors import (
     ALIGNMENT_PART,
     bound_residual_error,

@@ -6,7 +6,6 @@ from pathlib import Path
 import fmpy
 import numpy as np
 import pytest
-from pyhrg.records.imu.increments import Increments
 
 import ins_eval
 from fmu_build import build_fmu
@@ -18,10 +17,7 @@ from ins_eval.navigation.coefficients import derive_coefficients
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
 from ins_eval.system.system import list_start
 from pyhrg.common.arrays import Array
-<<<<<<< HEAD
-=======
 from pyhrg.records.imu.log import Increments
->>>>>>> sys
 
 INTERVAL = 0.01
 OUTPUTS = ["latitude", "longitude", "height", "velocityNorth", "velocityEast", "velocityDown"]

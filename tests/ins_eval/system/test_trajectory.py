@@ -7,7 +7,6 @@ import fmpy
 import numpy as np
 import pytest
 from fmpy.fmi2 import FMU2Slave
-from pyhrg.records.imu.increments import Increments
 
 from fmu_build.binaries.platforms import find_host_platform
 from ins_eval.imu.gyros import case_axes
@@ -15,10 +14,7 @@ from ins_eval.system.player.motion import format_motion
 from ins_eval.system.player.trajectory_fmu import build_trajectory_fmu
 from ins_eval.system.player.variables import list_variables, name_case_axis
 from pyhrg.common.arrays import Array
-<<<<<<< HEAD
-=======
 from pyhrg.records.imu.log import Increments
->>>>>>> sys
 
 INTERVAL, COUNT = 0.02, 50
 GENERATOR = np.random.default_rng(3)

@@ -10,14 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.figure import Figure
 
-from pyhrg.bench.estimation.harmonics import (
-    MEAN,
-    Fit,
-    PatternBasis,
-    choose_pattern_basis,
-    fit,
-    select_separable,
-)
+from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
+from pyhrg.bench.estimation.terms import PatternBasis, choose_pattern_basis, select_separable
 from pyhrg.bench.figures import COLOURS
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import list_exclusions, require_tests

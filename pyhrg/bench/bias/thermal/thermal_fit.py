@@ -9,14 +9,8 @@ from numpy.typing import NDArray
 from scipy import optimize, signal
 
 from pyhrg.bench.bias.thermal_programme import SETTLE
-from pyhrg.bench.estimation.harmonics import (
-    MEAN,
-    Fit,
-    PatternBasis,
-    choose_pattern_basis,
-    fit,
-    select_separable,
-)
+from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
+from pyhrg.bench.estimation.terms import PatternBasis, choose_pattern_basis, select_separable
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import require_tests
 from pyhrg.bench.readings.segments import WARM_UP, Points, join_points, read_points

@@ -10,19 +10,14 @@ from scipy.stats import f as f_distribution
 from pyhrg.common.arrays import Array
 from pyhrg.gap.static_record.belief import Belief
 from pyhrg.gap.static_record.fit.evidence import RAMP, Posterior, Problem, build_problem
-from pyhrg.gap.static_record.fit.hypotheses import (
-    FALSE_ALARMS,
-    Ranking,
-    rank_explanations,
-    split_octaves,
-    sum_octaves,
-)
+from pyhrg.gap.static_record.fit.hypotheses import FALSE_ALARMS, Ranking, rank_explanations
 from pyhrg.gap.static_record.fit.likelihood import (
     Transform,
     estimate_columns,
     transform_record,
     whiten_coefficients,
 )
+from pyhrg.gap.static_record.fit.unknowns import split_octaves, sum_octaves
 from pyhrg.gap.static_record.record import Channel
 from pyhrg.gap.static_record.terms import Kind, Term
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pyhrg.challenge.truths.noise_strength import measure_unsteadiness
+from pyhrg.challenge.truths.unsteadiness import measure_unsteadiness
 
 ROWS = 1 << 16
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.fft import dct
 
-from pyhrg.gap.static_record.fit.hypotheses import assess_unknowns, split_octaves
+from pyhrg.gap.static_record.fit.unknowns import assess_unknowns, split_octaves
 
 N = 2047
 

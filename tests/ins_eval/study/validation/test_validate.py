@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from ins_eval.study.study_file import load_study
-from ins_eval.study.validation import plan_validation, validate
+from ins_eval.study.validation.validate import plan_validation, validate
 from pyhrg.common.errors import HrgError
 from tests.ins_eval.trajectories.test_recorded_drive import make_drive, write_drive
 

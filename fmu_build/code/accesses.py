@@ -7,8 +7,8 @@ from fmu_build.equations.dae import Dae, Function, Json, Node
 
 
 class Access(NamedTuple):
-    """Reading or writing one element of a vector, which is an input or another value of the
-    function, by its ordinal."""
+    """One reading or writing of an element of a vector. The ordinal counts the function's inputs, or
+    its other values."""
 
     is_write: bool
     is_input: bool

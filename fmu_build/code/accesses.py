@@ -7,8 +7,8 @@ from fmu_build.equations.dae import Dae, Function, Json, Node
 
 
 class Access(NamedTuple):
-    """One reading or writing of an element of a vector. The ordinal counts the function's inputs, or
-    its other values."""
+    """One reading or writing of an element of a vector. The ordinal is the vector's number among the
+    function's inputs, or among its other values."""
 
     is_write: bool
     is_input: bool

@@ -7,7 +7,7 @@ from fmu_build.equations.dae import Dae, Function, Json, Node
 
 
 class Access(NamedTuple):
-    """One reading or writing of an element of a vector. The ordinal is the vector's number among the
+    """One reading or writing of a vector's element. The ordinal is the vector's number among the
     function's inputs, or among its other values."""
 
     is_write: bool

@@ -65,8 +65,8 @@ def _is_overwritten(dae: Dae, function: Function, fill: Json, later: Iterable[Js
 
 
 def can_replace(dae: Dae, function: Function, ordinal: int) -> bool:
-    """Whether the result can overwrite an input: both are vectors of one size, and no element of the
-    input is read after the same element of the result was written."""
+    """Whether the result can overwrite an input: both are vectors of one size, and no element of
+    the input is read after the same element of the result was written."""
     if (
         function.inputs[ordinal].size is None
         or function.inputs[ordinal].size != function.values[0].size

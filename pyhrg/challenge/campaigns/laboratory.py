@@ -50,7 +50,8 @@ class Laboratory:
         frequency = told.frequency + self.errors.get("frequency_error", 0.0)
         latitude = told.site.latitude + self.errors.get("latitude_error", 0.0)
         site = replace(told.site, latitude=latitude)
-        return replace(told, frequency=frequency, site=site, **own)
+        tilt = self.errors.get("table_tilt_east", 0.0)
+        return replace(told, frequency=frequency, site=site, table_tilt_east=tilt, **own)
 
     def list_beyond(self, told: Device) -> tuple[str, ...]:
         """Names of the known parameters that are off by more than their tolerance."""

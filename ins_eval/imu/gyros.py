@@ -22,7 +22,7 @@ from pyhrg.device import device_file
 from pyhrg.device.keys import KEYS
 from pyhrg.device.ready_devices import TYPICAL, Device
 from pyhrg.fmu import GyroFmu, record_together
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 AMPLITUDE_TOLERANCE = 1e-3
 """Largest relative difference of the amplitude from its set point for a gyro to be ready. Chosen:

@@ -7,7 +7,7 @@ import numpy as np
 
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import MICRO_G
-from pyhrg.noise.flicker import draw_flicker
+from pyhrg.noise.coefficients import draw_flicker
 
 
 @dataclass(frozen=True)

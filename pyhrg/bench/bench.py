@@ -1,17 +1,15 @@
 """The virtual bench: simulates power-ons of a gyro on its FMU and logs them as a bench does."""
 
 import math
-import threading
 import zlib
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.programme import COMMANDS, HELD_INPUTS, LOGGED_COMMANDS, Programme
+from pyhrg.bench.programme import COMMANDS, HELD_INPUTS, LOGGED_COMMANDS, Programme, make_course
 from pyhrg.bench.store import Store, compute_key
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
@@ -89,17 +87,7 @@ class Bench:
                 f"a plan of {len(power_ons)} power-ons with {rows} rows: expected at most "
                 f"{MAX_TEST_ROWS} rows"
             )
-        self.fmu.prepare()
-        stop = threading.Event()
-        self.fmu.stop = stop
-        with ThreadPoolExecutor(self.workers) as pool:
-            try:
-                return list(pool.map(self.log, power_ons))
-            except BaseException:
-                stop.set()
-                raise
-            finally:
-                self.fmu.stop = None
+        return self.fmu.map(self.log, power_ons, self.workers)
 
     def power_on(self, identity: str, start_angle: float | None = None) -> Gyro:
         """The gyro, switched on, with noise, start angle and parameters drawn for this power-on.
@@ -141,7 +129,7 @@ class Bench:
         commands = {name: programme.values(name) for name in COMMANDS}
         held = {name: commands[name] for name in HELD_INPUTS}
         with self.power_on(power_on.id, power_on.start_angle) as gyro:
-            moving = self._moving_inputs(programme, commands["axis_up"])
+            moving = self._moving_inputs(programme)
             outputs = record_rows(gyro, moving, held, self.step)
         columns: dict[str, Any] = {
             "time": np.arange(1, len(programme) + 1) * programme.interval,
@@ -158,22 +146,11 @@ class Bench:
             self.device.name or NAMELESS, self.device.site, nominal(self.device), tuple(tests)
         )
 
-    def _moving_inputs(self, programme: Programme, axis_up: Array) -> dict[str, Array]:
+    def _moving_inputs(self, programme: Programme) -> dict[str, Array]:
         """(n, m) inputs that change within a row, in each communication step, SI."""
-        steps = round(programme.interval / self.step)
-        if steps < 1 or abs(steps * self.step - programme.interval) > 1e-9:
-            raise ValueError(
-                f"rows of {programme.interval:g} s are no multiple of the step {self.step:g} s"
-            )
-        share = compute_step_middles(steps)
-        rate = interpolate_rows(programme.table_rate, share)
-        begun = np.concatenate(([0.0], programme.table_angle[:-1]))[:, None]
-        swept = programme.interval * share * interpolate_rows(programme.table_rate, share / 2)
-        earth = compute_earth_rate(self.device, axis_up[:, None], begun + swept)
-        return {
-            "angularRate": rate + earth,
-            "caseTemperature": interpolate_rows(programme.temperature, share),
-        }
+        course = make_course(programme, self.step)
+        earth = compute_earth_rate(self.device, course.each("axis_up"), course.table_angle)
+        return {"angularRate": course.rate + earth, "caseTemperature": course.temperature}
 
 
 def record_rows(
@@ -231,13 +208,3 @@ def compute_earth_rate(device: Device, axis_up: Array, table_angle: Array) -> Ar
     east = np.sqrt(np.maximum(1 - np.asarray(axis_up) ** 2, 0.0))
     below = site.vertical_rate * math.sin(device.table_tilt_east) * east
     return site.compute_earth_rate(axis_up, device.misalignment, azimuth) - below
-
-
-def compute_step_middles(steps: int) -> Array:
-    """(m,) middles of the m equal steps of a row, as shares of the row."""
-    return np.asarray((np.arange(steps) + 0.5) / steps)
-
-
-def interpolate_rows(bounds: Array, share: Array) -> Array:
-    """(n, m) values within n rows, linear between their bounds."""
-    return np.asarray(bounds[:-1, None] + np.diff(bounds)[:, None] * share)

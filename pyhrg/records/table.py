@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import quote
-from pyhrg.common.reading.csv_rows import iterate_lines, parse_csv
+from pyhrg.common.reading.documents import iterate_lines, parse_csv
 from pyhrg.common.reading.files import decode, read_unpacked
 from pyhrg.records.columns import BY_FIELD, COLUMNS, Column, LogError, find_mislabelled_column
 

@@ -17,7 +17,7 @@ EXCEPTIONS = {
     "fmu_build.bundle": "zipfile.ZipFile",  # writes
     "fmu_build.check.fmi_sim": "zipfile.ZipFile",  # writes
     "fmu_build.archive.documentation.info_pages": "ET.fromstring",  # of our own library
-    "ins_eval.study.run.identity": "json.loads",  # of what it has just written
+    "ins_eval.study.run.block": "json.loads",  # of what it has just written
 }
 OWN_FILES = {
     "fmu_build.archive.documentation.document",
@@ -34,9 +34,9 @@ OWN_FILES = {
     "pyhrg.common.caches.compiled",
     "pyhrg.common.caches.files",
     "pyhrg.common.made_by",
-    "pyhrg.common.pages.shell",
+    "pyhrg.common.pages.markup",
     "pyhrg.fmu.archive",
-    "pyhrg.fmu.lanes",
+    "pyhrg.fmu.together",
     "pyhrg.gap.closing.equation.closed_file",
 }
 """Modules that read files which this distribution or this process has made."""

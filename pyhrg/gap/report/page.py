@@ -7,14 +7,18 @@ from importlib.resources import files
 from pathlib import Path
 
 from pyhrg.common.files import stage_files
-from pyhrg.common.pages.markup import make_paragraph
-from pyhrg.common.pages.shell import PageSection, make_contents, make_document, read_asset
+from pyhrg.common.pages.markup import (
+    PageSection,
+    make_contents,
+    make_document,
+    make_paragraph,
+    read_asset,
+)
 from pyhrg.gap.diagnose import FILES, CampaignDiagnosis
 from pyhrg.gap.report.causes import build_causes, build_ranking
 from pyhrg.gap.report.closing import build_closing
-from pyhrg.gap.report.held_out import build_held_out, draw_largest
 from pyhrg.gap.report.places import build_places, build_scales
-from pyhrg.gap.report.residuals import build_residuals
+from pyhrg.gap.report.residuals import build_held_out, build_residuals, draw_largest
 from pyhrg.gap.report.sections import Section
 from pyhrg.gap.report.terms import build_terms
 from pyhrg.gap.report.verdict import answer_questions, write_headline

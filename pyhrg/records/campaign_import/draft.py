@@ -9,9 +9,8 @@ from pathlib import Path
 from pyhrg.common.errors import HrgError
 from pyhrg.common.reading.files import decode, read_unpacked
 from pyhrg.records.campaign import FILE_NAME
-from pyhrg.records.campaign_import.column_mapping import BY_STEM
+from pyhrg.records.campaign_import.column_mapping import BY_COLUMN_UNIT, BY_STEM, RATE
 from pyhrg.records.campaign_import.layout import SEPARATORS
-from pyhrg.records.campaign_import.units import BY_COLUMN_UNIT, RATE
 from pyhrg.records.columns import LogError
 
 PATTERNS = {

@@ -5,19 +5,17 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.common.reading.parquet import parse_parquet
 from pyhrg.records.columns import LogError
-from pyhrg.records.imu.columns import (
+from pyhrg.records.imu.log import (
     ACCELEROMETERS,
     GYROS,
-    TIME,
-    Quantity,
-    choose_quantity,
-)
-from pyhrg.records.imu.increments import Increments
-from pyhrg.records.imu.log import (
     MIN_ROWS,
+    TIME,
+    Increments,
+    Quantity,
     RecordedImu,
     check_finite,
     check_lengths,
+    choose_quantity,
     make_field_error,
     parse_numbers,
 )

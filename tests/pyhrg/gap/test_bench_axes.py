@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from pyhrg.bench.bench import Bench, PowerOn, compute_earth_rate
-from pyhrg.challenge.campaigns.course import Course
+from pyhrg.bench.programme import Course
 from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE

@@ -5,8 +5,7 @@ import json
 from pathlib import Path
 
 from pyhrg.common.files import stage_files
-from pyhrg.common.pages.markup import Table, make_paragraph, make_wide_table
-from pyhrg.common.pages.shell import make_document
+from pyhrg.common.pages.markup import Table, make_document, make_paragraph, make_wide_table
 from pyhrg.gap.static_record.allan import FILES, PAGE, RESULT, TABLE, ChannelNoise, RecordNoise
 from pyhrg.gap.static_record.report.figures import draw_fitted_noise
 from pyhrg.records.table import fold_absent_columns

@@ -9,26 +9,26 @@ from matplotlib.colors import to_hex
 from ins_eval.alignment.analytic import level_and_gyrocompass
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import position_error
-from ins_eval.error_model.aligning import model_alignment
-from ins_eval.error_model.budget.adjoint import Weights, compute_weights
-from ins_eval.error_model.budget.budget import (
-    compute_budget,
-    sum_contributions,
-)
-from ins_eval.error_model.budget.budget_figure import (
+from ins_eval.error_model.budget_figure import (
     INITIAL_COLOUR,
     MAX_SHOWN_EFFECTS,
     plot_budget,
 )
+from ins_eval.error_model.dynamics import COUNT
 from ins_eval.error_model.effects import BIASES, Effect
-from ins_eval.error_model.linear_model import join_models, linearize
+from ins_eval.error_model.error_budget import (
+    Weights,
+    compute_budget,
+    compute_weights,
+    sum_contributions,
+)
+from ins_eval.error_model.linear_model import join_models, linearize, model_alignment
 from ins_eval.error_model.motion import sample_motion
-from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.catalogue import load_trajectory
 from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 STILL, FLIGHT, INTERVAL = 200.0, 1800.0, 0.05
 ALIGNED = round(STILL / INTERVAL)

@@ -6,8 +6,7 @@ from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ins_eval.error_model.budget.adjoint import BODY, COMPONENTS, Weights
-from ins_eval.error_model.budget.budget import sum_contributions
+from ins_eval.error_model.error_budget import BODY, COMPONENTS, Weights, sum_contributions
 from ins_eval.error_model.linear_model import AXES
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, HOUR

@@ -7,15 +7,15 @@ import pandas as pd
 import pytest
 
 from ins_eval.mission_model.missions import plan_mission
-from ins_eval.mission_model.triad_block import TriadBlock
-from ins_eval.study.phase import diagram
-from ins_eval.study.phase.diagram import CIRCUMFERENCE, FIXED, MAP, RATIOS, TURNING
+from ins_eval.mission_model.position_errors import TriadBlock
+from ins_eval.study import phase_diagram
+from ins_eval.study.phase_diagram import CIRCUMFERENCE, FIXED, MAP, RATIOS, TURNING
 from ins_eval.study.predictors.parts.map_drift import NO_DRIFT
 
 
 @pytest.fixture(scope="module")
 def rows(triads: TriadBlock) -> pd.DataFrame:
-    return pd.DataFrame(diagram.compute_phase_diagram(triads, NO_DRIFT, seed=1))
+    return pd.DataFrame(phase_diagram.compute_phase_diagram(triads, NO_DRIFT, seed=1))
 
 
 def test_fixed_position_is_right_in_noise_and_the_map_above_it(rows: pd.DataFrame) -> None:
@@ -30,9 +30,9 @@ def test_fixed_position_is_right_in_noise_and_the_map_above_it(rows: pd.DataFram
 
 
 def test_table_has_a_row_for_each_cell(rows: pd.DataFrame, tmp_path: Path) -> None:
-    diagram.write_rows(rows.to_dict("records"), tmp_path / "phase.csv")
+    phase_diagram.write_rows(rows.to_dict("records"), tmp_path / "phase.csv")
     read = pd.read_csv(tmp_path / "phase.csv")
-    assert list(read) == list(diagram.COLUMNS)
+    assert list(read) == list(phase_diagram.COLUMNS)
     np.testing.assert_allclose(read["share"], rows["share"], rtol=1e-5)
 
 
@@ -43,4 +43,4 @@ def test_turning_of_a_table_is_its_turns(tmp_path: Path) -> None:
         "start = { latitude_deg = 40, longitude_deg = 0, height_m = 0, heading_deg = 0 }\n"
         'course = [{ kind = "turntable", turn_deg = 360, rate_deg_s = 1, ramp_s = 1 }]\n'
     )
-    assert diagram.compute_turning(plan_mission(path, 0.1)) == pytest.approx(2.77, rel=5e-3)
+    assert phase_diagram.compute_turning(plan_mission(path, 0.1)) == pytest.approx(2.77, rel=5e-3)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from ins_eval.common.sensor_errors import SensorErrors
-from ins_eval.error_model.budget.decomposition import (
+from ins_eval.error_model.decomposition import (
     UNEXPLAINED,
     decompose_errors,
     sensor_error,
@@ -20,7 +20,7 @@ from ins_eval.error_model.effects import (
 )
 from ins_eval.error_model.motion import sample_motion
 from ins_eval.trajectories.catalogue import load_trajectory
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 INTERVAL = 0.1
 COUNT = 18_000

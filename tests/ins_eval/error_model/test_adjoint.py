@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from ins_eval.error_model.budget.adjoint import Weights, compute_weights
+from ins_eval.error_model.dynamics import COUNT
 from ins_eval.error_model.effects import BIASES, bias_map, gyro_scale_factor
+from ins_eval.error_model.error_budget import Weights, compute_weights
 from ins_eval.error_model.linear_model import LinearModel, linearize
 from ins_eval.error_model.motion import sample_motion
-from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import BaroDamped
 from tests.ins_eval.error_model.cases import Flight, propagate, sum_coefficient_weights, weave
 

@@ -9,7 +9,7 @@ from ins_eval.error_model.effects import Effect, Sensor
 from ins_eval.error_model.linear_model import AXES
 from ins_eval.error_model.motion import Motion, step_mean
 from pyhrg.common.arrays import Array
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 UNEXPLAINED = "noise and rest"
 """Name of the residual that no effect explains."""

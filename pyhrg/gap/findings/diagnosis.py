@@ -82,7 +82,7 @@ class KnownValue:
 
 @dataclass(frozen=True)
 class GapFigure:
-    """Root mean square of a residual before and after closing.
+    """Size of a residual before and after closing.
 
     floor: what noise alone would leave of a perfect simulation (median of draws).
     floor_95: 95 % interval of the floor.
@@ -104,6 +104,8 @@ class Gap:
     shrink_percent: share of the excess over the floor that closing removes, in the angle of the
         held-out tests; None without such tests or without an excess.
     whiteness: p-value that the whitened residual of the held-out tests is white.
+    holdout_area_arcsec: area between the distributions of the output angle's residual in the
+        held-out tests and of the noise.
     """
 
     fit_angle_arcsec: GapFigure
@@ -112,6 +114,7 @@ class Gap:
     holdout_rate_deg_h: GapFigure | None
     shrink_percent: float | None
     whiteness: float | None
+    holdout_area_arcsec: GapFigure | None = None
 
     @property
     def is_wider(self) -> bool:

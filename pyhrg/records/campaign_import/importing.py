@@ -20,7 +20,7 @@ from pyhrg.records.campaign_import.mapping import CampaignMapping, TestMapping, 
 from pyhrg.records.columns import BY_FIELD, COLUMNS
 from pyhrg.records.log import Log, build_log
 from pyhrg.records.table import Table, check_range, fold_absent_columns
-from pyhrg.records.timing import drop_repeated_rows, find_interval
+from pyhrg.records.timing import drop_wrong_rows, find_interval
 
 
 @dataclass(frozen=True)
@@ -143,7 +143,7 @@ def _import_test(test: TestMapping, mapping: CampaignMapping) -> ImportedTest:
     time = read_times(test.columns.get("time"), cells, test.interval)
     empty = np.full(len(time), np.nan)
     columns: dict[str, Array] = {column.field: empty for column in COLUMNS} | {"time": time}
-    timed = drop_repeated_rows(Table(cells.source, cells.rows, columns))
+    timed = drop_wrong_rows(Table(cells.source, cells.rows, columns))
     # a median time step is written without the rounding of its times
     interval = float(f"{find_interval(timed, test.interval):.9g}")
     for field, column_mapping in test.columns.items():

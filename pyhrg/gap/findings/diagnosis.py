@@ -25,6 +25,10 @@ WORSE = (
     "Closing takes the simulation further away from the records: the named causes stand in for "
     "something that the catalogue does not hold."
 )
+WORSE_HELD_OUT = (
+    "On the held-out tests closing takes the simulation further away: the fitted tests do not "
+    "determine these causes well enough to predict others."
+)
 METRES_PER_DEG_H = NAUTICAL_MILE / 0.01
 """Position error after an hour over a bias, m/(deg/h): the usual rule, 0.01 deg/h is 1 nmi/h."""
 Verdict = Literal["no_gap", "explained", "ambiguous", "unexplained"]
@@ -119,8 +123,17 @@ class Gap:
     @property
     def is_wider(self) -> bool:
         """Whether closing has moved the simulation away from the tests that it was fitted to."""
-        fit = self.fit_angle_arcsec
-        return fit.after > max(WORSE_RATIO * fit.before, fit.floor_95[1])
+        return _is_wider(self.fit_angle_arcsec)
+
+    @property
+    def is_wider_held_out(self) -> bool:
+        """Whether it has moved the simulation away from the held-out tests."""
+        figure = self.holdout_angle_arcsec
+        return figure is not None and _is_wider(figure)
+
+
+def _is_wider(figure: GapFigure) -> bool:
+    return figure.after > max(WORSE_RATIO * figure.before, figure.floor_95[1])
 
 
 @dataclass(frozen=True)
@@ -200,6 +213,7 @@ class Diagnosis:
         return [
             *([] if self.settled else [UNSETTLED]),
             *([WORSE] if self.gap.is_wider else []),
+            *([WORSE_HELD_OUT] if self.gap.is_wider_held_out else []),
         ]
 
     def document(self) -> dict[str, Any]:

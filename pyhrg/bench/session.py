@@ -13,6 +13,7 @@ import pandas as pd
 from pyhrg.bench import catalogue
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import Procedure
+from pyhrg.bench.reporting.progress import BenchProgress
 from pyhrg.bench.reporting.result import (
     PAGE,
     RESULT,
@@ -22,7 +23,7 @@ from pyhrg.bench.reporting.result import (
     check_folder,
     read_result,
 )
-from pyhrg.bench.source import BenchProgress, Source, open_records, prepare_simulation
+from pyhrg.bench.source import Source, open_records, prepare_simulation
 from pyhrg.bench.store import Store
 from pyhrg.common.arguments import check_seed, choose_workers
 from pyhrg.common.errors import HrgError, quote

@@ -1,7 +1,6 @@
-"""Where the records of a run come from: the virtual bench, or a campaign; and its progress."""
+"""Where the records of a run come from: a simulated gyro, or a campaign."""
 
 import difflib
-import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field, replace
@@ -13,11 +12,11 @@ from fmu_build.bundle import build_fmu
 from pyhrg.bench.bench import NAMELESS, Bench
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import Procedure
+from pyhrg.bench.reporting.progress import BenchProgress
 from pyhrg.bench.store import Store
 from pyhrg.common.arguments import choose_workers
 from pyhrg.common.errors import HrgError
 from pyhrg.common.made_by import digest_value, list_versions
-from pyhrg.common.progress import Progress, Show
 from pyhrg.device import device_file, ready_devices
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
@@ -25,46 +24,6 @@ from pyhrg.records import Log
 from pyhrg.records import campaign as campaigns
 from pyhrg.records.campaign import Campaign, Test
 from pyhrg.records.missing_inputs import add_missing_inputs, turns
-
-
-class BenchProgress(Progress):
-    """Counts tests, and power-ons within each; its methods may be called from any thread."""
-
-    def __init__(self, show: Show) -> None:
-        super().__init__(show, unit="tests")
-        self._test, self._begun = "", time.monotonic()
-        self._times: list[float] = []
-        self._ended = self._expected = 0
-
-    def expect(self, tests: int) -> None:
-        """State how many tests there are."""
-        self._expected = tests
-        self.update(0, tests)
-
-    def begin(self, test: str) -> None:
-        """State that a test begins."""
-        self._test, self._begun = test, time.monotonic()
-        self._times = []
-        self.describe(test)
-
-    def add_power_on(self, duration: float) -> None:
-        """Count a power-on that is over; its duration is the gyro's time, s."""
-        self._times.append(duration)
-        self.describe(f"{self._test}: {self._work}")
-
-    def end(self) -> None:
-        """State that the test is over."""
-        self._ended += 1
-        self.update(self._ended, self._expected)
-        work = f"{self._work}, " if self._times else ""
-        self.say(f"{self._test}: {work}{time.monotonic() - self._begun:.0f} s")
-
-    @property
-    def _work(self) -> str:
-        count = len(self._times)
-        plural = "" if count == 1 else "s"
-        return f"{count} power-on{plural}, {sum(self._times) / 3600:.3g} h of the gyro"
-
 
 DEFAULT_DEVICE = "typical"
 """Ready device that is simulated where no other is named."""

@@ -9,7 +9,7 @@ from typing import Any
 
 from pyhrg.bench.outcome import UNITS, Finding, Outcome
 from pyhrg.bench.procedure import Procedure
-from pyhrg.bench.reporting.text import judge_findings
+from pyhrg.bench.reporting.judgement import judge_findings
 from pyhrg.common.arrays import to_json_value
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.toml_table import TomlTable, read_json_table

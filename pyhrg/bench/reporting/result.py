@@ -13,18 +13,11 @@ from matplotlib.figure import Figure
 from pyhrg.bench.figures import move_legends
 from pyhrg.bench.outcome import Outcome
 from pyhrg.bench.procedure import Procedure
+from pyhrg.bench.reporting import page
 from pyhrg.bench.reporting.document import format_document, read_document
+from pyhrg.bench.reporting.judgement import describe_unmatched_limits, judge_findings
 from pyhrg.bench.reporting.parameter_system import make_table_1
-from pyhrg.bench.reporting.text import (
-    describe_unmatched_limits,
-    format_outcome,
-    format_section,
-    format_table,
-    judge_findings,
-    make_failure_section,
-    make_page,
-    make_section,
-)
+from pyhrg.bench.reporting.text import format_outcome, format_section, format_table
 from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.files import replace_folder, write_whole
 from pyhrg.common.made_by import check_identity
@@ -229,14 +222,14 @@ class BenchResults:
         """Write report.html alone; its figures are those in the tests' folders."""
         title, notes = f"HRG bench: {self.subject}", self._list_unmatched()
         sections = [
-            make_section(a.procedure, a.outcome, self.limits, _find_picture(folder, a.name))
+            page.make_section(a.procedure, a.outcome, self.limits, _find_picture(folder, a.name))
             if isinstance(a, TestResult)
-            else make_failure_section(a.procedure, a.reason)
+            else page.make_failure_section(a.procedure, a.reason)
             for a in self.attempts
         ]
         overview = self._make_table_1() if len(self.attempts) > 1 else None
-        page = make_page(title, overview, sections, notes)
-        write_whole(folder / PAGE, page.encode())
+        text = page.make_page(title, overview, sections, notes)
+        write_whole(folder / PAGE, text.encode())
 
     def __str__(self) -> str:
         sections = [f"HRG bench: {self.subject}", *map(str, self.attempts)]

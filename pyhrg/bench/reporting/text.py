@@ -1,70 +1,14 @@
-"""Findings and tables as text and as HTML, with as many decimals as their intervals justify;
-findings are compared with the limits of a specification. The figures of a page lie in the folders
-of the tests.
-"""
+"""Findings and tables as text, with as many decimals as their intervals justify."""
 
-import difflib
-import html
 import math
 import unicodedata
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 
 from pyhrg.bench.outcome import Finding, Outcome
-from pyhrg.bench.procedure import Procedure
-from pyhrg.common.pages.markup import Table, make_document, make_paragraph, make_wide_table
-from pyhrg.common.pages.svg import format_estimate, format_interval
-
-
-@dataclass(frozen=True)
-class Judgement:
-    """A finding beside its limit.
-
-    limit: of the finding's magnitude, in the unit that the finding's key names.
-    """
-
-    finding: Finding
-    limit: float
-
-    @property
-    def word(self) -> str:
-        """`meets` or `fails` where the whole 95 % interval of the magnitude lies on one side of the
-        limit, else `not decided`; `not measured` where the finding has no value."""
-        if math.isnan(self.finding.si_value):
-            return "not measured"
-        low, high = self.finding.interval
-        if math.isnan(low + high):
-            return "not decided"
-        ends = sorted((abs(low), abs(high)))
-        low, high = (0.0 if low < 0 < high else ends[0]), ends[1]
-        if self.finding.at_least:
-            return "meets" if low >= self.limit else "fails" if high < self.limit else "not decided"
-        return "meets" if high <= self.limit else "fails" if low > self.limit else "not decided"
-
-    def __str__(self) -> str:
-        finding = self.finding
-        low, high = finding.interval
-        value = format_interval(finding.value, low, high) if low <= high else f"{finding.value:.4g}"
-        side = "at least" if finding.at_least else "at most"
-        return f"{finding.key} {value}, {side} {self.limit:g}: {self.word}"
-
-
-def judge_findings(outcome: Outcome, limits: Mapping[str, float]) -> list[Judgement]:
-    """A judgement of each finding for whose key the specification has a limit."""
-    return [Judgement(f, limits[f.key]) for f in outcome.findings if f.key in limits]
-
-
-def describe_unmatched_limits(
-    outcomes: Iterable[Outcome], limits: Mapping[str, float]
-) -> list[str]:
-    """A sentence on each limit whose key no finding has."""
-    keys = [finding.key for outcome in outcomes for finding in outcome.findings]
-    sentences = []
-    for key in (key for key in limits if key not in keys):
-        close = difflib.get_close_matches(key, keys, n=1)
-        hint = f"; the closest is {close[0]}" if close else ""
-        sentences.append(f"{key}: not judged, no test gave a figure of that name{hint}")
-    return sentences
+from pyhrg.bench.reporting.judgement import judge_findings
+from pyhrg.common.pages.markup import Table
+from pyhrg.common.pages.svg import format_estimate
+from pyhrg.records.table import merge_sources
 
 
 def format_section(title: str, body: str) -> str:
@@ -80,11 +24,12 @@ def format_outcome(outcome: Outcome, limits: Mapping[str, float]) -> str:
 
 
 def list_notes(outcome: Outcome, limits: Mapping[str, float]) -> list[str]:
-    """One sentence on each limit of the specification, each warning and each exclusion."""
+    """One sentence on each limit of the specification, each warning, and each thing that was left
+    out of the records, missing in them or assumed."""
     return [
         *(f"Specification: {judgement}" for judgement in judge_findings(outcome, limits)),
         *(f"Warning: {warning}" for warning in outcome.warnings),
-        *(f"Excluded: {exclusion}" for exclusion in outcome.exclusions),
+        *(f"Record: {exclusion}" for exclusion in merge_sources(outcome.exclusions)),
     ]
 
 
@@ -131,42 +76,3 @@ def _format_number(value: float) -> str:
     if not math.isfinite(value):
         return "-" if math.isnan(value) else str(value)
     return f"{value:.4g}"
-
-
-STYLE = (
-    "img{max-width:100%;background:#fff}.wide table{min-width:0}"
-    ".wide td:not(:last-child),.wide th:not(:last-child){white-space:nowrap}"
-)
-
-
-def make_page(
-    title: str, overview: Table | None, sections: Sequence[str], notes: Sequence[str]
-) -> str:
-    """HTML of the whole page: the overview, a section for each test, then notes."""
-    parts = [f"<h1>{html.escape(title)}</h1>", make_wide_table(overview) if overview else ""]
-    parts += [*sections, *(make_paragraph(note, "weak") for note in notes)]
-    return make_document(title, STYLE, "".join(parts), "", images=True)
-
-
-def make_failure_section(procedure: Procedure, reason: str) -> str:
-    """HTML section of a test that gave no figures."""
-    return f"<h2>{html.escape(procedure.title)}</h2>{make_paragraph(f'No figures: {reason}')}"
-
-
-def make_section(
-    procedure: Procedure, outcome: Outcome, limits: Mapping[str, float], picture: str
-) -> str:
-    """HTML section of a test: verdict, tables, figure, notes, method.
-
-    The limits are the specification's, by the findings' keys; `picture` is the figure's path from
-    the page's folder, empty where the test has none.
-    """
-    parts = [f"<h2>{html.escape(procedure.title)}</h2>", make_paragraph(outcome.verdict)]
-    tables = (make_findings_table(outcome.findings), *outcome.tables)
-    parts += [make_wide_table(content) for content in tables]
-    if picture:
-        alternative = html.escape(f"Figure: {procedure.title}. {outcome.verdict}")
-        parts.append(f'<img src="{picture}" alt="{alternative}">')
-    parts += [make_paragraph(note, "weak") for note in list_notes(outcome, limits)]
-    parts.append(make_paragraph(f"Method: {procedure.source}.", "weak"))
-    return "".join(parts)

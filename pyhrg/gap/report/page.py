@@ -23,6 +23,7 @@ from pyhrg.gap.report.sections import Section
 from pyhrg.gap.report.terms import build_terms
 from pyhrg.gap.report.verdict import answer_questions, write_headline
 from pyhrg.gap.report.words import build_table, format_name
+from pyhrg.records.table import merge_sources
 
 PAGE = "report.html"
 TITLE = "Gap between simulation and gyro"
@@ -108,5 +109,5 @@ def _build_data(result: CampaignDiagnosis) -> str:
     excluded = result.diagnosis.excluded
     if not excluded:
         return tests + make_paragraph("Nothing was left out.")
-    listed = "".join(f"<li>{html.escape(sentence)}</li>" for sentence in excluded)
+    listed = "".join(f"<li>{html.escape(text)}</li>" for text in merge_sources(excluded))
     return f"{tests}<h3>Left out, missing or assumed</h3><ul>{listed}</ul>"

@@ -1,8 +1,5 @@
-"""From a mapping and its logs to a campaign, and what the import understood, in words, for a
-laboratory to check.
-"""
+"""From a mapping and its logs to a campaign."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -11,74 +8,19 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.files import replace_folder
-from pyhrg.device.device_file import NOMINAL
+from pyhrg.common.site import Site
+from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test, write_campaign
-from pyhrg.records.campaign_import.column_mapping import ColumnMapping
-from pyhrg.records.campaign_import.conversion import convert_column, join_rows, read_times
+from pyhrg.records.campaign_import.conversion import convert_column, read_times
+from pyhrg.records.campaign_import.joining import join_rows
 from pyhrg.records.campaign_import.layout import read_cells
 from pyhrg.records.campaign_import.mapping import CampaignMapping, TestMapping, read_mapping
-from pyhrg.records.columns import BY_FIELD, COLUMNS
+from pyhrg.records.campaign_import.preview import ImportedTest, describe_tests
+from pyhrg.records.columns import COLUMNS
 from pyhrg.records.log import Log, build_log
-from pyhrg.records.table import Table, check_range, fold_absent_columns
+from pyhrg.records.missing_inputs import TURNING_RATE
+from pyhrg.records.table import Table, check_range
 from pyhrg.records.timing import drop_wrong_rows, find_interval
-
-
-@dataclass(frozen=True)
-class ImportedTest:
-    """A test as it was logged, and as a reader of the campaign will get it.
-
-    logged: every row, or longer rows where the mapping asks for them; this is what is written;
-    read: what a reader keeps; its exclusions name rows by the lines of the laboratory's file.
-    """
-
-    mapping: TestMapping
-    logged: Log
-    read: Log
-
-
-def describe_tests(mapping: CampaignMapping, tests: Sequence[ImportedTest]) -> str:
-    """Tests with rows, columns, ranges in SI units, and what a reader leaves out."""
-    lines = [f"{mapping.device}: {len(tests)} tests"]
-    unstated = [key for key in NOMINAL if key not in mapping.nominal]
-    if unstated:
-        lines.append(f"nominal: not stated, so as in any ideal gyro: {', '.join(unstated)}")
-    for test in tests:
-        lines += ["", *_describe_test(test)]
-    return "\n".join(lines)
-
-
-def _describe_test(test: ImportedTest) -> list[str]:
-    log, mapping = test.logged, test.mapping
-    steps = np.diff(log.time[np.isfinite(log.time)])
-    lines = [
-        f"{mapping.id}: {mapping.kind}, {mapping.role}; {log.source}",
-        f"  {len(log.time)} rows every {log.interval:g} s, "
-        f"steps of {np.min(steps):.6g} to {np.max(steps):.6g} s",
-    ]
-    if "time" not in mapping.columns:
-        lines.append("  time               counted")
-    by_field = sorted(mapping.columns.items(), key=lambda item: list(BY_FIELD).index(item[0]))
-    lines += [_describe_column(column, log) for _, column in by_field]
-    return [*lines, *(f"  note: {note}" for note in fold_absent_columns(test.read.exclusions))]
-
-
-def _describe_column(mapping: ColumnMapping, log: Log) -> str:
-    column = mapping.column
-    values = getattr(log, column.field)
-    known = values[np.isfinite(values)]
-    if mapping.logged is None:
-        origin = f"constant {mapping.constant:g}"
-    else:
-        treatment = f", {mapping.integrate} added up" if mapping.integrate else ""
-        treatment += ", unwrapped" if mapping.wraps_every else ""
-        origin = f"column {mapping.logged}{treatment}"
-    unit = mapping.unit_name or mapping.time_format
-    logged = f"{origin} [{unit}]" if unit and unit != "1" else origin
-    ends = dict.fromkeys([f"{np.min(known):.6g}", f"{np.max(known):.6g}"] if len(known) else [])
-    value_range = " to ".join(ends) or "no value"
-    missing = f", {len(values) - len(known)} missing" if len(known) < len(values) else ""
-    si_unit = column.si_unit
-    return f"  {column.stem:<18} {logged:<42} {value_range} {si_unit}".rstrip() + missing
 
 
 @dataclass(frozen=True)
@@ -149,15 +91,42 @@ def _import_test(test: TestMapping, mapping: CampaignMapping) -> ImportedTest:
     for field, column_mapping in test.columns.items():
         if field != "time":
             columns[field] = convert_column(column_mapping, cells, time, interval)
+    origin = _align_origin(test, columns, mapping.site)
     for column in COLUMNS:
         values = (columns[column.field] - column.offset) / column.factor
         check_range(cells.source, column, cells.rows, values)
-    table = Table(cells.source, cells.rows, columns, _describe_missing(test))
+    table = Table(cells.source, cells.rows, columns, (*_describe_missing(test), *origin))
     read = build_log(table, interval, mapping.site.latitude)
     if test.rows is not None:
         read = join_rows(read, test.rows)
         return ImportedTest(test, replace(read, exclusions=()), read)
     return ImportedTest(test, Log(cells.source, interval, exclusions=(), **columns), read)
+
+
+def _align_origin(test: TestMapping, columns: dict[str, Array], site: Site) -> list[str]:
+    """Let an output angle that counts from zero begin with what table and Earth turned until the
+    first row. Of one that begins elsewhere than a table that counts from zero, return a sentence:
+    a diagnosis reads their difference as a step.
+    """
+    gyro, table = (test.columns.get(field) for field in ("gyro_angle", "table_angle"))
+    angle, inputs = columns["gyro_angle"], np.nan_to_num(columns["table_angle"])
+    known = np.flatnonzero(np.isfinite(angle + columns["time"]))
+    if not gyro or not len(known):
+        return []
+    first = known[0]
+    time = float(columns["time"][first])
+    up = float(np.nan_to_num(columns["axis_up"][first]))
+    turn = float(inputs[first] + site.compute_earth_rate(up) * time)
+    if gyro.from_zero:
+        columns["gyro_angle"] = angle + turn
+        return []
+    beside = float(angle[first]) - turn
+    if not (table and table.from_zero and abs(beside) > TURNING_RATE * time):
+        return []
+    return [
+        f"gyro_angle begins {beside / DEG:.6g} deg beside table_angle, which counts from zero: let "
+        "both count from zero, or neither"
+    ]
 
 
 def _describe_missing(test: TestMapping) -> tuple[str, ...]:

@@ -64,7 +64,8 @@ def _choose_quantities(source: str, header: list[str]) -> tuple[Quantity, Quanti
     if not header:
         raise LogError(f"{source}: found an empty file, expected a header and values")
     if TIME not in header:
-        raise LogError(f"{source}: found no column {TIME} among {', '.join(header)}, expected it")
+        found = f"found no column {TIME} among {', '.join(header)}, expected it"
+        raise LogError(f"{source}: {found}; `hrg campaign init` reads a bench log of other columns")
     return choose_quantity(source, header, GYROS), choose_quantity(source, header, ACCELEROMETERS)
 
 

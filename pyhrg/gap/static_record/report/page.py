@@ -17,7 +17,6 @@ from pyhrg.gap.static_record.belief import PERIODS, TOLERANCE_PERCENT
 from pyhrg.gap.static_record.fit.diagnosis import Cause, ChannelDiagnosis, HalfComparison
 from pyhrg.gap.static_record.report.figures import draw_allan_deviation, draw_spectrum
 from pyhrg.gap.static_record.result import RecordDiagnosis, locate_excess
-from pyhrg.records.table import fold_absent_columns
 
 SCHEMA = "hrg-diagnosis/1"
 DIGITS = 6
@@ -181,10 +180,7 @@ def build_page(result: RecordDiagnosis) -> str:
         make_paragraph(VERDICT_SENTENCES[result.verdict]),
         _build_overview(result),
         *(_build_section(d, shared) for d, shared in pairs),
-        *(
-            make_paragraph(f"Left out: {note}", "weak")
-            for note in fold_absent_columns(result.notes)
-        ),
+        *(make_paragraph(f"Record: {note}", "weak") for note in result.notes),
     ]
     return make_document(title, STYLE, "".join(body), "")
 

@@ -8,7 +8,7 @@ import pytest
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.dynamic import bandwidth, measuring_range, start_up
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.reporting.text import judge_findings
+from pyhrg.bench.reporting.judgement import judge_findings
 from pyhrg.common.units import DEG
 from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu

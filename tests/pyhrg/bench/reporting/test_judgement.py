@@ -5,7 +5,7 @@ import math
 import pytest
 
 from pyhrg.bench.outcome import Finding, Outcome
-from pyhrg.bench.reporting.text import Judgement, describe_unmatched_limits, judge_findings
+from pyhrg.bench.reporting.judgement import Judgement, describe_unmatched_limits, judge_findings
 from pyhrg.common.units import DEG_PER_H
 
 NAN, INF = math.nan, math.inf

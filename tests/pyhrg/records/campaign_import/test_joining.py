@@ -13,7 +13,7 @@ from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.records import COLUMNS, Log, LogError
 from pyhrg.records.campaign_import import import_campaign
-from pyhrg.records.campaign_import.conversion import join_rows
+from pyhrg.records.campaign_import.joining import join_rows
 from tests.pyhrg.records.campaign_import.labs import HEAD, entry_of
 from tests.pyhrg.records.made_up import made_up_log
 

@@ -121,13 +121,13 @@ def _parse_size(table: TomlTable) -> Size:
 
 
 def _parse_gap(table: TomlTable) -> Gap:
-    fit_angle, fit_rate, holdout_angle, holdout_rate = (
-        _parse_figure(table, role, unit) for role in ROLES for unit in FIGURE_UNITS
+    (fit_angle, fit_rate, _), (angle, rate, area) = (
+        [_parse_figure(table, role, unit) for unit in FIGURE_UNITS] for role in ROLES
     )
     if fit_angle is None:
         raise table.table("before").table("fit").missing("angle_arcsec", "a number")
     ends = (parse_optional_number(table, key) for key in ("shrink_percent", "whiteness"))
-    return Gap(fit_angle, fit_rate, holdout_angle, holdout_rate, *ends)
+    return Gap(fit_angle, fit_rate, angle, rate, *ends, area)
 
 
 def _parse_figure(gap: TomlTable, role: str, unit: str) -> GapFigure | None:

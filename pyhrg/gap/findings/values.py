@@ -34,7 +34,7 @@ def parse_texts(table: TomlTable, key: str) -> tuple[str, ...]:
 
 STAGES = ("before", "after", "floor", "floor_95")
 ROLES = ("fit", "holdout")
-FIGURE_UNITS = ("angle_arcsec", "rate_deg_h")
+FIGURE_UNITS = ("angle_arcsec", "rate_deg_h", "area_arcsec")
 
 
 def make_gap_table(gap: dict[str, Any]) -> dict[str, Any]:
@@ -44,7 +44,7 @@ def make_gap_table(gap: dict[str, Any]) -> dict[str, Any]:
             role: {
                 unit: gap[f"{role}_{unit}"][stage]
                 for unit in FIGURE_UNITS
-                if gap[f"{role}_{unit}"] is not None
+                if gap.get(f"{role}_{unit}") is not None
             }
             for role in ROLES
         }

@@ -94,6 +94,13 @@ class Bench:
         The same identity draws the same noise, angle and parameters. `start_angle`, rad, is drawn
         from the device's scatter if None.
         """
+        parameters, seed, angle = self.draw_power_on(identity, start_angle)
+        return self.fmu.power_on(parameters, seed, angle)
+
+    def draw_power_on(
+        self, identity: str, start_angle: float | None = None
+    ) -> tuple[dict[str, float], int, float]:
+        """Parameters of the FMU by name, seed and start angle, rad, of `power_on`."""
         key = zlib.crc32(identity.encode())
         generator = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(key,)))
         seed = int(generator.integers(2**31))
@@ -101,8 +108,7 @@ class Bench:
         angle = drawn if start_angle is None else start_angle
         missing = LOOP_FREQUENCIES - self.fmu.references.keys()
         values = self.device.draw_turn_on(generator).items()
-        parameters = {name: value for name, value in values if name not in missing}
-        return self.fmu.power_on(parameters, seed, angle)
+        return {name: value for name, value in values if name not in missing}, seed, angle
 
     def log(self, power_on: PowerOn) -> Test:
         """Test of one power-on: simulated, or from the store where an interrupted run kept it."""

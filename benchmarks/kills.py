@@ -5,7 +5,8 @@
 So many kills (default 100) by SIGINT, SIGTERM and SIGKILL, spread over a validation, a study,
 a whole bench, a challenge and a build with an empty cache; or over those that are named. A command
 is killed at a random moment of its usual duration, alone or with its workers, begun again in the
-same folder and killed again, up to five times, then run to its end. Status 1 where
+same folder and killed again, up to five times, each time within what is left to do, then run to its
+end. Status 1 where
 
 - the folder, or what is beside it, has other files or bytes than after an undisturbed run;
 - a command that was killed ends otherwise than by the signal or with status 130, or says more than
@@ -40,6 +41,9 @@ INTERRUPTED = 130
 """Status of `hrg` when it is interrupted."""
 WORKERS_END_S = 60.0
 """Longest time that a worker may live without its command."""
+START = 1 / 3
+"""Share of a command's duration after which it goes on where it was killed. Chosen: it loads its
+libraries until then."""
 
 
 class Trial:
@@ -146,8 +150,10 @@ def kill_in_a_row(trial: Trial, most: int, duration: float, chance: random.Rando
     """Kill a command that goes on in the same folder, until it ends or was killed so many times;
     returns the signals by which it was killed."""
     killed: Counter[str] = Counter()
+    left = duration
     for _ in range(most):
-        sent, moment = chance.choice(SIGNALS), chance.uniform(0, duration)
+        sent, moment = chance.choice(SIGNALS), chance.uniform(0, left)
+        left = max(left - moment, START * duration)
         with_workers = chance.random() < 0.5
         shown = f"{trial.name} {sent.name}{' with workers' * with_workers} at {moment:.1f} s"
         if not trial.kill(sent, moment, with_workers):

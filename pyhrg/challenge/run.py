@@ -1,6 +1,5 @@
 """Runs a challenge: simulate, publish hashes, diagnose, add next tests, score."""
 
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
@@ -34,6 +33,9 @@ from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 from pyhrg.gap.replay.simulation import Simulation, load_model, load_simulation
 from pyhrg.records import campaign as campaigns
 
+LARGEST_STRENGTH_SIGMAS = 1e6
+"""Largest strength that can be asked for. Chosen: far beyond it effects leave the ranges of their
+parameters."""
 REFUSAL = "refusal.json"
 """In the place of a diagnosis: the sentence with which the campaign was refused."""
 Diagnose = Callable[[Path, Path, Sequence[str]], None]
@@ -134,8 +136,9 @@ def run_challenge(
     counts |= {"weak": weak, "several": several, "left_out": left_out}
     for name, count in counts.items():
         check_whole_number("pairs" if name == "pair" else name, count, 0, MAX_CASES)
-    if not DETECTION_SIGMAS < strongest < math.inf:
-        raise HrgError(f"strongest: found {strongest:g}, expected above {DETECTION_SIGMAS:g}")
+    if not DETECTION_SIGMAS < strongest <= LARGEST_STRENGTH_SIGMAS:
+        expected = f"expected above {DETECTION_SIGMAS:g}, up to {LARGEST_STRENGTH_SIGMAS:g}"
+        raise HrgError(f"strongest: found {strongest:g}, {expected}")
     for name, choice, choices in (("level", level, LEVELS), ("data", data, AMOUNTS)):
         if choice not in choices:
             raise HrgError(f"{name}: found {choice!r}, expected {', '.join(choices)}")

@@ -28,7 +28,11 @@ runs = 1
 runs = 2
 {PLAN}"""
 """The smallest study that is scored."""
-RUN = "import sys; from pyhrg.common.cli import main; sys.exit(main())"
+RUN = """\
+import signal, sys
+from pyhrg.common.cli import main
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background jobs ignore it
+sys.exit(main())"""
 SHORT_STUDY = f"""\
 from pathlib import Path
 from ins_eval.study import study_file

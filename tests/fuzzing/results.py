@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 
 import ins_eval
-from ins_eval.study.challenge.predictions_file import FIELDS, read_predictions
+from ins_eval.study.challenge.score_predictions import FIELDS, read_predictions
 from ins_eval.study.study_data import read_study_data
 from ins_eval.study.summary.text import summarize
 from pyhrg.bench.bias.position import fixed_position

@@ -9,12 +9,12 @@ from pathlib import Path
 from typing import BinaryIO
 
 from pyhrg.common.errors import HrgError
-from pyhrg.common.reading.failures import refuse_unreadable
 from pyhrg.common.reading.limits import (
     LINE_BYTES,
     LOG_BYTES,
     check_size,
     compute_expanded_limit,
+    refuse_unreadable,
 )
 
 WITHOUT_WAITING = getattr(os, "O_NONBLOCK", 0)

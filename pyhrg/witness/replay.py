@@ -47,6 +47,17 @@ class Witnesses:
     virtual_rotation: Array
     specific_force: Array
 
+    def take(self, count: int) -> "Witnesses":
+        """The first rows."""
+        return Witnesses(
+            self.interval,
+            self.angle[: count + 1],
+            self.forces[:count],
+            self.frequency[:count],
+            self.virtual_rotation[:count],
+            self.specific_force[:count],
+        )
+
 
 @dataclass(frozen=True)
 class Replay:

@@ -33,22 +33,21 @@ class ChannelFlight:
     """A flight of a triad from power-on.
 
     truth: of its mission; measured: increments of the IMU; witnesses: of each gyro, in rows of
-    `ROW`; angles: (n, 3) detected pattern angles in the middle of each increment, rad; self_test:
-    duration of the self-test at power-on, s.
+    `ROW`; patterns: (n + 1, 3) detected pattern angles at the bounds of the increments, rad;
+    self_test: duration of the self-test at power-on, s.
     """
 
     truth: MissionTruth
     measured: Increments
     witnesses: tuple[Witnesses, ...]
-    angles: Array
+    patterns: Array
     self_test: float
 
-    def navigate(self, correction: Array | float = 0.0) -> Array:
-        """(k, 2) error north and east, m, after a rate error (n, 3), rad/s, was taken out."""
+    def navigate(self, error: Array | float = 0.0) -> Array:
+        """(k, 2) error north and east, m, after errors (n, 3) of the gyros' increments, rad, were
+        taken out."""
         raw = self.measured
-        corrected = Increments(
-            raw.interval, raw.rotation - raw.interval * correction, raw.velocity, raw.start
-        )
+        corrected = Increments(raw.interval, raw.rotation - error, raw.velocity, raw.start)
         begin = self.self_test + AFTER_TEST if self.self_test else SETTLING
         return align_and_navigate(self.truth, corrected, begin)
 
@@ -89,7 +88,7 @@ def fly_with_channels(
             _gather_witnesses(truth, patterns, averaged, rotation, axis, count)
             for axis in range(AXES)
         ),
-        angles=0.5 * (patterns[1:] + patterns[:-1]),
+        patterns=patterns,
         self_test=self_test,
     )
 

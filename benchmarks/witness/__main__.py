@@ -101,10 +101,13 @@ def print_flown(judged: int) -> None:
 
 
 def print_outside() -> None:
-    print("bias map's error, mdeg/h: with the log, without it; p-value")
-    for field, found, believed, p in outside.compare_changes(load_fmu("HRG"), load_fmu("HRGSlow")):
-        errors = (1e3 * each / DEG_PER_H for each in (found, believed))
-        print(f"{field:24s}{'{:8.2f}{:8.2f}'.format(*errors)}{p:10.2g}", flush=True)
+    print("rms error of the bias map, mdeg/h: with the log, without it; largest ratio; followed")
+    for each in outside.compare_changes(load_fmu("HRG"), load_fmu("HRGSlow")):
+        told, believed = (
+            1e3 * np.sqrt(np.mean(errors**2)) / DEG_PER_H for errors in (each.told, each.believed)
+        )
+        count = f"{each.followed.sum()} of {len(each.followed)}"
+        print(f"{each.field:24s}{told:8.2f}{believed:8.2f}{each.ratio.max():8.2f}  {count}", flush=True)
 
 
 if __name__ == "__main__":

@@ -1,19 +1,21 @@
 """Changes of a gyro's mechanisms that explain its forces (docs/methods/witness.md, Eq. 8)."""
 
 from collections.abc import Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass
 
 import numpy as np
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
-from pyhrg.fmu import GyroFmu
+from pyhrg.fmu import CONTROL_PERIOD, GyroFmu, record_together
 from pyhrg.witness.filter import filter_rows
 from pyhrg.witness.information import factor_covariance
 from pyhrg.witness.mechanisms import COUNT, HEATING, change_device
 from pyhrg.witness.prior import Prior
 from pyhrg.witness.replay import SETTLING, Replay, Witnesses, guess_course, replay
 from pyhrg.witness.responses import (
+    FORCES,
     Motion,
     Responses,
     evaluate_motion,
@@ -28,14 +30,11 @@ first left, which is below noise."""
 REPLAYS = 2
 """Number of replays in each stage, the last of which is compared. Derived: each leaves of the
 course's error the gyro's errors as a share of what the one before left, 1e-3."""
-ROUNDS = 2
-"""Number of Gauss-Newton rounds in a stage, by quasi-static forces. Derived: a decay time that is
-off by 2 % is off by 2 % of that after each round."""
 BLOCK = 5.0
 """Time over which rows are averaged before they are compared, s. Chosen: pick-off noise, which the
 loops differentiate, is then below force noise."""
-NORMAL_MEDIAN = 0.6745
-"""Median of the absolute value of a standard normal deviate."""
+SCATTER_BLOCKS = 200
+"""Number of blocks of simulated noise by which bursts are judged. Chosen: known to 5 %."""
 
 
 @dataclass(frozen=True)
@@ -74,14 +73,16 @@ class FittedChanges:
 def fit_changes(fast: GyroFmu, slow: GyroFmu, gyros: Sequence[Flown]) -> list[FittedChanges]:
     """The mechanisms' changes of gyros in flights of one length, by Gauss-Newton.
 
-    Each stage replays the gyros with the changes of the last one. Its rounds add what further
-    changes make of the quasi-static forces, and filter all rows again.
+    Each stage replays the gyros with the changes of the last one. The first has one round, which
+    finds where to replay; the second adds what its first round changed of the quasi-static forces,
+    and filters all rows again: a decay time that is off by 2 % is off by 2 % of that after each.
 
     fast: `HRG`; slow: `HRGSlow`.
     """
     courses = [guess_course(each.device, each.witnesses) for each in gyros]
     changes = [each.prior.mean for each in gyros]
     responses = [each.responses for each in gyros]
+    scatters = _measure_scatter(fast, [each.device for each in gyros])
     for stage in range(STAGES):
         changed = [change_device(g.device, x) for g, x in zip(gyros, changes, strict=True)]
         witnesses = [each.witnesses for each in gyros]
@@ -89,33 +90,43 @@ def fit_changes(fast: GyroFmu, slow: GyroFmu, gyros: Sequence[Flown]) -> list[Fi
             replays = replay(fast, changed, witnesses, courses)
             courses = [each.following for each in replays]
         if stage:
-            responses = [measure_responses(slow, each) for each in changed]
+            responses = [
+                measure_responses(slow, each, g.responses.noise)
+                for g, each in zip(gyros, changed, strict=True)
+            ]
         fitted = [
-            _fit_stage(slow, *each)
-            for each in zip(gyros, replays, changes, responses, strict=True)
+            _fit_stage(slow, *each, rounds=stage + 1)
+            for each in zip(gyros, replays, changes, responses, scatters, strict=True)
         ]
         changes = [each.changes for each in fitted]
     return fitted
 
 
 def _fit_stage(
-    slow: GyroFmu, gyro: Flown, replayed: Replay, replayed_changes: Array, responses: Responses
+    slow: GyroFmu,
+    gyro: Flown,
+    replayed: Replay,
+    start: Array,
+    responses: Responses,
+    scatter: Array,
+    rounds: int,
 ) -> FittedChanges:
+    """start: (COUNT,) changes of the replayed gyro; scatter: (2,) of the blocks."""
     witnesses, prior = gyro.witnesses, gyro.prior
     root = factor_covariance(prior.covariance)
     noise = responses.noise / np.sqrt(BLOCK)
     residuals = _average(replayed.residuals, witnesses.interval)
     basis, design = _average_design(responses, replayed.motion)
-    scatter = np.maximum(noise, _measure_scatter(residuals))
-    (origin,) = measure_channels(slow, [change_device(gyro.device, replayed_changes)])
-    changes, moved = replayed_changes, np.zeros_like(residuals)
-    for _ in range(ROUNDS):
+    changes, moved = start, np.zeros_like(residuals)
+    for left in reversed(range(rounds)):
         # the replay leaves out the bias by the rate of temperature
         values = residuals - moved + design @ (np.where(HEATING, 0.0, changes) - prior.mean)
-        filtered = filter_rows(design @ root, values, noise, np.eye(COUNT), scatter)
+        filtered = filter_rows(design @ root, values, noise, np.eye(COUNT), np.maximum(scatter, noise))
         changes = prior.mean + root @ filtered.mean
-        (channels,) = measure_channels(slow, [change_device(gyro.device, changes)])
-        moved = basis @ (channels - origin)[:2].reshape(2, -1).T
+        if left:
+            devices = [change_device(gyro.device, each) for each in (start, changes)]
+            before, after = measure_channels(slow, devices)[:, :2]
+            moved = basis @ (after - before).reshape(2, -1).T
     return FittedChanges(
         changes=changes,
         covariance=root @ filtered.covariance @ root.T,
@@ -139,10 +150,17 @@ def _average_design(responses: Responses, motion: Motion) -> tuple[Array, Array]
     return steady, design
 
 
-def _measure_scatter(residuals: Array) -> Array:
-    """(2,) standard deviation of rows about their neighbours, robust against bursts."""
-    steps = np.abs(np.diff(residuals, axis=0))
-    return np.asarray(np.median(steps, axis=0) / NORMAL_MEDIAN / np.sqrt(2))
+def _measure_scatter(fast: GyroFmu, devices: Sequence[Device]) -> Array:
+    """(d, 2) standard deviation about its neighbours of a block's mean force of gyros at rest,
+    pick-off noise included."""
+    steps = round(BLOCK / CONTROL_PERIOD)
+    moving = [{"angularRate": np.zeros((SCATTER_BLOCKS, steps))}] * len(devices)
+    with ExitStack() as stack:
+        gyros = [stack.enter_context(fast.power_on(d.fmu_parameters(), 1, 0.0)) for d in devices]
+        nothing = [{}] * len(gyros)
+        recorded = record_together(gyros, moving, nothing, CONTROL_PERIOD, [], FORCES)
+    steps_between = [np.diff(means[2:], axis=0) for _, means in recorded]
+    return np.std(steps_between, axis=1) / np.sqrt(2)
 
 
 def _average(rows: Array, interval: float) -> Array:

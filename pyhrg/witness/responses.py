@@ -18,7 +18,7 @@ from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import GyroFmu, record_together
-from pyhrg.witness.mechanisms import COUNT, HEATING, MECHANISMS
+from pyhrg.witness.mechanisms import COUNT, HEATING, MECHANISMS, THERMAL
 
 HARMONICS = (2, 4, 6, 8)
 TERMS = 1 + 2 * len(HARMONICS)
@@ -114,13 +114,15 @@ def evaluate_angles(angle: Array) -> Array:
 def evaluate_motion(motion: Motion) -> Array:
     """(n, POWERS, MOTIONS, TERMS) products of powers of the temperature, powers of the motion, and
     terms over the pattern angle."""
-    w, v = motion.rate, motion.virtual_rotation
-    moved = np.stack([np.ones_like(w), w, w * w, v, v * v], axis=-1)
     warmth = np.vander(motion.temperature, POWERS, increasing=True)
-    over_angle = evaluate_angles(motion.angle)
-    return np.asarray(
-        warmth[:, :, None, None] * moved[:, None, :, None] * over_angle[:, None, None, :]
-    )
+    cool = _evaluate_cool(motion.angle, motion.rate, motion.virtual_rotation)
+    return np.asarray(warmth[:, :, None, None] * cool[:, None])
+
+
+def _evaluate_cool(angle: Array, rate: Array, rotation: Array) -> Array:
+    """(n, MOTIONS, TERMS) the same at the reference temperature."""
+    moved = np.stack([np.ones_like(rate), rate, rate**2, rotation, rotation**2], axis=-1)
+    return np.asarray(moved[:, :, None] * evaluate_angles(angle)[:, None, :])
 
 
 def compute_design(sensitivities: Array, motion: Motion) -> Array:
@@ -136,23 +138,37 @@ def compute_design(sensitivities: Array, motion: Motion) -> Array:
     return design
 
 
-def measure_responses(fmu: GyroFmu, device: Device) -> Responses:
-    """Sensitivities of a gyro to all mechanisms, and the noise of its forces.
+def measure_responses(
+    fmu: GyroFmu, device: Device, noise: Array | None = None
+) -> Responses:
+    """Sensitivities of a gyro to all mechanisms, linear in the temperature, and the noise of its
+    forces.
 
-    fmu: `HRGSlow`.
+    fmu: `HRGSlow`; noise: (2,) of the forces, where it is known.
     """
     quiet = device.without_noise()
-    steady = [each for each in MECHANISMS if each.signal == "one"]
-    channels = measure_channels(fmu, [quiet, *(each.add(quiet, each.step) for each in steady)])
-    changes = np.zeros((COUNT, *channels.shape[1:]))
-    changes[~HEATING] = channels[1:] - channels[0]
-    for place in np.flatnonzero(HEATING):
-        changed = MECHANISMS[place].add(quiet, MECHANISMS[place].step)
-        cases = [(each, Chamber(rate=HEATING_RATE)) for each in (quiet, changed)]
-        without, heated = _fit_channels(fmu, cases)
-        changes[place, :, 0] = (heated - without) / HEATING_RATE
-    changes /= np.array([each.step for each in MECHANISMS])[:, None, None, None, None]
-    return Responses(changes[:, :2], changes[:, 2], measure_noise(fmu, device))
+    cool, warm, heated = Chamber(), Chamber(rise=RISES[-1]), Chamber(rate=HEATING_RATE)
+    cases = [(quiet, cool), (quiet, warm), (quiet, heated)]
+    chambers: list[list[Chamber]] = []
+    for place, mechanism in enumerate(MECHANISMS):
+        acting = [heated] if HEATING[place] else [warm] if THERMAL[place] else [cool, warm]
+        chambers.append(acting)
+        changed = mechanism.add(quiet, mechanism.step)
+        cases += [(changed, each) for each in acting]
+    unchanged, changed_channels = np.split(_fit_channels(fmu, cases), [3])
+    base = dict(zip((cool, warm, heated), unchanged, strict=True))
+    changes, fitted = np.zeros((COUNT, 3, POWERS, MOTIONS, TERMS)), iter(changed_channels)
+    for place, (mechanism, acting) in enumerate(zip(MECHANISMS, chambers, strict=True)):
+        by_chamber = {each: (next(fitted) - base[each]) / mechanism.step for each in acting}
+        at_rest = np.zeros((3, MOTIONS, TERMS))
+        if heated in by_chamber:
+            changes[place, :, 0] = by_chamber[heated] / HEATING_RATE
+        else:
+            at_rest = by_chamber.get(cool, at_rest)
+            changes[place, :, 0] = at_rest
+            changes[place, :, 1] = (by_chamber[warm] - at_rest) / RISES[-1]
+    noise = measure_noise(fmu, device) if noise is None else noise
+    return Responses(changes[:, :2], changes[:, 2], noise)
 
 
 def measure_channels(fmu: GyroFmu, devices: Sequence[Device]) -> Array:
@@ -245,8 +261,7 @@ def _list_rows(
     output = np.diff(ends[skipped - 1 :, 0]) / interval - rate
     angle = 0.5 * (ends[skipped:, 1] + ends[skipped - 1 : -1, 1])
     every = np.ones_like(angle)
-    motion = Motion(interval, angle, rate * every, rotation * every, 0 * every, 0 * every)
-    rows = evaluate_motion(motion)[:, 0].reshape(len(angle), -1)
+    rows = _evaluate_cool(angle, rate * every, rotation * every).reshape(len(angle), -1)
     return rows, np.column_stack([means[skipped:], output])
 
 

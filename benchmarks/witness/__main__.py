@@ -6,17 +6,16 @@ mechanisms [GYROS]         how well each mechanism is known after an hour
 confounded                 directions among the mechanisms that simple motions see
 study [TRAINING JUDGED]    R2 of the position error in linear flights of two hours, of triads whose
                            maps are calibrated (seed 1, as `hrg study standard`)
-flown [JUDGED]             the same in a car for an hour, by maps that are estimated from flights on
-                           the FMU, with a self-test of 60 s
+flown [TRIADS HOURS]       scores of flights on the FMU at 1 kHz, after each triad
 outside                    the estimate where something changed that its prior holds for constant
 """
 
 import sys
 
 import numpy as np
+import pandas as pd
 
 from benchmarks.witness import bounds, flown, outside, study
-from benchmarks.witness.motions import HALF_PERIOD, ROTATION
 from ins_eval.study.experiment import load_fmu
 from ins_eval.study.gyros.drawn_triad import (
     TriadDistribution,
@@ -25,6 +24,8 @@ from ins_eval.study.gyros.drawn_triad import (
     tabulate_triads,
 )
 from ins_eval.study.gyros.population import RAW
+from ins_eval.study.witness.judge import list_figures, score_witnesses
+from ins_eval.study.witness.self_test import HALF_PERIOD, ROTATION
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.witness.mechanisms import NAMES
 from pyhrg.witness.responses import Motion
@@ -90,14 +91,21 @@ def print_study(training: int, judged: int) -> None:
             print(f"    {name:28s} R2 {score}", flush=True)
 
 
-def print_flown(judged: int) -> None:
-    fmu, drawn = load_fmu("HRGSlow"), draw(FIRST_JUDGED, judged)
-    known = study.measure_triads(fmu, drawn)
-    scores = flown.compute_flown_scores(
-        load_fmu("HRG"), "car", drawn, tabulate_triads(fmu, drawn), known, 2 * HALF_PERIOD
+def print_flown(count: int, hours: int) -> None:
+    fmus, distribution = (
+        (load_fmu("HRG"), load_fmu("HRGSlow")),
+        TriadDistribution(population=RAW, method="map"),
     )
-    for name, score in scores.items():
-        print(f"{name:28s} {score}")
+    numbers = range(FIRST_JUDGED, FIRST_JUDGED + count)
+    drawn = (
+        (n, draw_triad(fmus[1], distribution, make_triad_seed(STUDY_SEED, n))) for n in numbers
+    )
+    tables: list[pd.DataFrame] = []
+    for rows in flown.fly_triads(fmus, distribution, drawn, hours):
+        tables.append(rows)
+        if len(tables) > 1:
+            scores = score_witnesses(pd.concat(tables), STUDY_SEED)
+            print(*("; ".join(row) for row in list_figures(scores)), sep="\n", flush=True)
 
 
 def print_outside() -> None:
@@ -107,7 +115,10 @@ def print_outside() -> None:
             1e3 * np.sqrt(np.mean(errors**2)) / DEG_PER_H for errors in (each.told, each.believed)
         )
         count = f"{each.followed.sum()} of {len(each.followed)}"
-        print(f"{each.field:24s}{told:8.2f}{believed:8.2f}{each.ratio.max():8.2f}  {count}", flush=True)
+        print(
+            f"{each.field:24s}{told:8.2f}{believed:8.2f}{each.ratio.max():8.2f}  {count}",
+            flush=True,
+        )
 
 
 if __name__ == "__main__":
@@ -118,9 +129,9 @@ if __name__ == "__main__":
         print_mechanisms(*(numbers or [GYROS]))
     elif command == "confounded":
         print_confounded()
+    elif command == "flown":
+        print_flown(*(numbers or [FLOWN, 2]))
     elif command == "outside":
         print_outside()
-    elif command == "flown":
-        print_flown(*(numbers or [FLOWN]))
     else:
         print_study(*(numbers or [TRAINING, JUDGED]))

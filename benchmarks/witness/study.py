@@ -1,7 +1,7 @@
 """R2 of the position error by maps that are known as well as the channels allow (Cramer-Rao)."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -9,7 +9,7 @@ from benchmarks.witness.motions import CLASSES, Ride, load_ride
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import plan_mission
 from ins_eval.mission_model.position_errors import compute_expected_error, compute_position_errors
-from ins_eval.mission_model.signals import COUNT, slice_coefficients
+from ins_eval.mission_model.signals import slice_coefficients
 from ins_eval.mission_model.triad_block import TriadBlock
 from ins_eval.mission_model.turned_maps import start_maps, turn_weights
 from ins_eval.mission_model.weights_cache import load_mission_weights
@@ -24,10 +24,11 @@ from ins_eval.study.predictors.prediction import NormalPrediction, Prediction
 from ins_eval.study.predictors.prediction_columns import TrainedModel, select_time, train
 from ins_eval.study.predictors.unpredictable import compute_unpredictable_covariance
 from ins_eval.study.scores.measures import compute_r2
+from ins_eval.study.witness.told_map import respond
+from ins_eval.study.witness.witnessed import read_true_changes
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, MICRO_G
 from pyhrg.device.device import Device
-from pyhrg.device.fmu_parameters import FMU_FIELDS
 from pyhrg.fmu import GyroFmu
 from pyhrg.witness.information import (
     accumulate_information,
@@ -35,7 +36,6 @@ from pyhrg.witness.information import (
     factor_covariance,
 )
 from pyhrg.witness.mechanisms import COUNT as MECHANISMS
-from pyhrg.witness.mechanisms import SIGNALS, find, read_values
 from pyhrg.witness.responses import Responses, measure_responses
 
 HOURS = 2.0
@@ -84,14 +84,6 @@ class Known:
         scaled = np.linalg.lstsq(root, missed, rcond=1e-12)[0]
         spread = factor_covariance(inner - inner @ inner)
         return np.asarray(root @ (inner @ scaled + spread @ noise))
-
-
-def read_true_changes(device: Device, flight: Flight) -> Array:
-    """(COUNT,) changes of the mechanisms from a calibrated gyro to its flight, SI."""
-    drawn = {FMU_FIELDS[n]: v for n, v in flight.device.model.items() if n in FMU_FIELDS}
-    changes = read_values(replace(flight.device, **drawn)) - read_values(device)
-    changes[find("bias per rate of temperature")] = device.bias_per_temperature_rate
-    return changes
 
 
 def measure_triads(fmu: GyroFmu, drawn: list[DrawnTriad]) -> list[list[Known]]:
@@ -194,25 +186,13 @@ def predict_by_changes(
     maps, covariance = triads.in_flight.copy(), other.copy()
     maps[:, slice_coefficients(UNKNOWN)] = 0.0
     for r, axis in np.ndindex(len(triads), 3):
-        response = _respond(known[r][axis].responses, triads.rise[r, axis])
+        response = respond(known[r][axis].responses, triads.rise[r, axis])
         error = response @ errors[r, axis]
         start = np.array([triads.start_angle[r, axis]])
         maps[r, :, axis] -= start_maps(error[:, None], start)[:, 0]
         carried = turn_weights(weights.maps, triads.start_angle[r])[:, :, :, axis] @ response
         covariance[r] += np.einsum("kip,pq,kjq->kij", carried, covariances[r, axis], carried)
     return NormalPrediction(compute_expected_error(weights, maps), covariance)
-
-
-def _respond(responses: Responses, rise: float) -> Array:
-    """(COUNT of signals, mechanisms) coefficients over the pattern angle per unit of each
-    mechanism: of the map at power-on, of its change with warmth, and by the case's heating."""
-    at_unit = responses.output[:, :2].reshape(MECHANISMS, -1).T
-    response = np.zeros((COUNT, MECHANISMS))
-    for place, name in enumerate(("one", "temperature", None, "heating")):
-        size = 1.0 if name == "one" else rise
-        rows = slice_coefficients(slice(place, place + 1))
-        response[rows] = np.where(name == SIGNALS, size * at_unit, 0.0)
-    return response
 
 
 def tabulate(flown: Array, prediction: Prediction) -> Array:

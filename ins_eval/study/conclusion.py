@@ -8,10 +8,18 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
+from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.study import lead
 from ins_eval.study.agreement import score_agreement
 from ins_eval.study.conditions import CONDITIONS
-from ins_eval.study.experiment import FLOWN, LEAD, open_missions, select_triads
+from ins_eval.study.experiment import (
+    FLOWN,
+    LEAD,
+    list_methods,
+    open_missions,
+    select_triads,
+    select_witnesses,
+)
 from ins_eval.study.flight_table import Training, tabulate_flights, train_methods
 from ins_eval.study.gyros.makers_calibration import Method
 from ins_eval.study.phase import diagram
@@ -23,6 +31,7 @@ from ins_eval.study.phase.diagram import (
 )
 from ins_eval.study.phase.turning import DURATION
 from ins_eval.study.predictors.class_constants import compute_constant
+from ins_eval.study.predictors.prediction_columns import select_time
 from ins_eval.study.report import page
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.scores.resampling import bootstrap
@@ -34,16 +43,20 @@ from ins_eval.study.study_data import (
     INTERVAL_PERCENT,
     LEAD_KEY,
     PHASE_KEY,
+    WITNESS_KEY,
     check_study_data,
 )
 from ins_eval.study.tables import columns, score
 from ins_eval.study.tables.score import ALL, Score
 from ins_eval.study.tables.table import TABLE, write_table
+from ins_eval.study.witness.judge import WitnessScore, score_witnesses
+from ins_eval.study.witness.tabulate import tabulate_witnesses
 from pyhrg.common.made_by import list_versions
-from pyhrg.common.units import DEG, DEG_PER_H, HOUR
+from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, HOUR, MICRO_G
 
 PHASE_TABLE = "phase_diagram.csv"
-FILES = (TABLE, PHASE_TABLE, page.PAGE, DOCUMENT)
+WITNESS_TABLE = "witness.csv"
+FILES = (TABLE, PHASE_TABLE, WITNESS_TABLE, page.PAGE, DOCUMENT)
 SCHEMA = "hrg-study/2"
 
 
@@ -68,13 +81,20 @@ def write_conclusion(study: Study, arrays: Arrays, folder: Path) -> None:
     ]
     phase = _describe_phase_diagram(study, arrays, trained)
     write_rows(phase.get("rows", []), folder / PHASE_TABLE)
-    document = _make_document(study, scores, _describe_lead(study, arrays), phase)
+    witnessed = _tabulate_witnesses(study, arrays)
+    witnessed.to_csv(folder / WITNESS_TABLE, index=False)
+    told = score_witnesses(witnessed, study.seed) if len(witnessed) else []
+    document = _make_document(study, scores, _describe_lead(study, arrays), phase, told)
     (folder / DOCUMENT).write_text(json.dumps(document, indent=1, allow_nan=False) + "\n")
     page.write_page(check_study_data(frame, document), folder)
 
 
 def _make_document(
-    study: Study, scores: list[Score], lead_case: dict[str, Any], phase: dict[str, Any]
+    study: Study,
+    scores: list[Score],
+    lead_case: dict[str, Any],
+    phase: dict[str, Any],
+    told: list[WitnessScore],
 ) -> dict[str, Any]:
     """Content of study.json: what was studied, with which versions, and all scores."""
     return {
@@ -90,6 +110,7 @@ def _make_document(
         CONDITIONS_KEY: {c.title: c.what for c in CONDITIONS} if study.conditions else {},
         LEAD_KEY: lead_case,
         PHASE_KEY: phase,
+        WITNESS_KEY: [each.describe() for each in told],
         "made_by": list_versions(),
         "scores": [each.describe() for each in scores],
     }
@@ -110,6 +131,28 @@ def _describe_lead(study: Study, arrays: Arrays) -> dict[str, Any]:
         "flown_m": radial.tolist(),
         "start_angles_deg": (arrays[f"{LEAD}/angle"] / DEG).tolist(),
     }
+
+
+def _tabulate_witnesses(study: Study, arrays: Arrays) -> pd.DataFrame:
+    """Flights whose gyros' channels were read, of all calibrations and missions."""
+    if not study.witnessed:
+        return pd.DataFrame()
+    sensors = study.accelerometer_bias_micro_g * MICRO_G, study.mounting_arcsec * ARCSEC
+    inside, parts = study.interval_percent / 100, []
+    with open_missions(study) as missions:
+        weights = [select_time(load_mission_weights(mission), -1) for mission in missions]
+    for method in list_methods(study):
+        triads = select_triads(arrays, method)
+        for number, mission in enumerate(study.missions):
+            found = select_witnesses(arrays, method, number)
+            flights = tabulate_witnesses(
+                found, triads, weights[number], sensors, inside, study.seed
+            )
+            flights.insert(0, "calibration", method)
+            flights.insert(1, "mission_class", mission.mission_class)
+            flights.insert(2, "mission", mission.name)
+            parts.append(flights)
+    return pd.concat(parts, ignore_index=True)
 
 
 def _describe_phase_diagram(

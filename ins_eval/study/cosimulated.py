@@ -27,6 +27,8 @@ from pyhrg.records.imu.increments import Increments
 INTERVAL = 0.01
 """Interval of the IMU's increments, s. Chosen."""
 AXES = 3
+NOISE_IN_FLIGHT = 1
+"""Number, in the seed of a co-simulation's noise, that sets it apart from the linear model's."""
 
 
 @dataclass(frozen=True)
@@ -168,6 +170,11 @@ def make_increments(
         deviation = TYPICAL_ACCELEROMETERS.random_walk * np.sqrt(true.interval)
         velocity += deviation * noise.standard_normal(velocity.shape)
     return Increments(true.interval, np.diff(angles, axis=0, prepend=0.0), velocity, -STILL)
+
+
+def seed_noise(triad: DrawnTriad, mission: int) -> np.random.SeedSequence:
+    """Seed of a triad's noise in a mission of a study, by its number."""
+    return np.random.SeedSequence(triad.seed.tolist(), spawn_key=(mission, NOISE_IN_FLIGHT))
 
 
 def make_noise_seeds(noise: np.random.SeedSequence) -> tuple[list[int], np.random.Generator]:

@@ -121,7 +121,9 @@ def _fit_stage(
     for left in reversed(range(rounds)):
         # the replay leaves out the bias by the rate of temperature
         values = residuals - moved + design @ (np.where(HEATING, 0.0, changes) - prior.mean)
-        filtered = filter_rows(design @ root, values, noise, np.eye(COUNT), np.maximum(scatter, noise))
+        filtered = filter_rows(
+            design @ root, values, noise, np.eye(COUNT), np.maximum(scatter, noise)
+        )
         changes = prior.mean + root @ filtered.mean
         if left:
             devices = [change_device(gyro.device, each) for each in (start, changes)]

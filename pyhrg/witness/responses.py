@@ -2,8 +2,9 @@
 
 A channel of a gyro whose pattern stands at th while the case turns at W and a virtual rotation V is
 commanded is a series over the pattern angle, for each of the motions 1, W, W^2, V, V^2 and each
-power of the temperature (docs/methods/witness.md, Eq. 2). Its coefficients are fitted to simulations of `HRGSlow` in which
-the pattern turns through half a turn; sensitivities are differences of two devices.
+power of the temperature (docs/methods/witness.md, Eq. 2). Its coefficients are fitted to
+simulations of `HRGSlow` in which the pattern turns through half a turn; sensitivities are
+differences of two devices.
 """
 
 import math
@@ -138,9 +139,7 @@ def compute_design(sensitivities: Array, motion: Motion) -> Array:
     return design
 
 
-def measure_responses(
-    fmu: GyroFmu, device: Device, noise: Array | None = None
-) -> Responses:
+def measure_responses(fmu: GyroFmu, device: Device, noise: Array | None = None) -> Responses:
     """Sensitivities of a gyro to all mechanisms, linear in the temperature, and the noise of its
     forces.
 
@@ -245,9 +244,7 @@ def _sweep(
     held = [{"virtualRotation": np.full(count, rotation)}] * len(cases)
     with ExitStack() as stack:
         gyros = [
-            stack.enter_context(
-                fmu.power_on(_list_parameters(*each, SAMPLE_PERIOD), 0, 0.0)
-            )
+            stack.enter_context(fmu.power_on(_list_parameters(*each, SAMPLE_PERIOD), 0, 0.0))
             for each in cases
         ]
         names = ["gyroAngle", "patternAngle"]

@@ -10,9 +10,16 @@ from ins_eval.study.report.figures.phase import render_phase_diagram
 from ins_eval.study.report.figures.ranking import render_ranking
 from ins_eval.study.report.figures.scatter import render_scatter
 from ins_eval.study.report.own_gyro import render_own_gyro
-from ins_eval.study.study_data import CONDITIONS_KEY, LEAD_KEY, PHASE_KEY, StudyData
+from ins_eval.study.study_data import (
+    CONDITIONS_KEY,
+    LEAD_KEY,
+    PHASE_KEY,
+    WITNESS_KEY,
+    StudyData,
+)
 from ins_eval.study.tables import score
 from ins_eval.study.tables.columns import COLUMNS
+from ins_eval.study.witness.judge import WitnessScore, list_figures
 from pyhrg.common.pages.markup import Table, make_paragraph, make_wide_table
 from pyhrg.common.pages.shell import PageSection
 
@@ -31,6 +38,7 @@ def make_sections(data: StudyData) -> list[PageSection]:
         PageSection("ranking", "Ranking of gyros", _render_ranking(data)),
         PageSection("coverage", "Intervals and their coverage", _render_coverage(data)),
         PageSection("breaks", "Conditions in which claims fail", render_conditions(data)),
+        *_make_witness_section(data),
         PageSection("phase", "Where each test tells the truth", render_phase_diagram(data)),
         PageSection("budget", "Error budget", _render_budget(data)),
         PageSection("control", "Negative control", _render_control(data)),
@@ -98,8 +106,26 @@ def _render_control(data: StudyData) -> str:
     )
 
 
+def _make_witness_section(data: StudyData) -> list[PageSection]:
+    """What the gyros' own channels tell, where a study has read them."""
+    scores = [WitnessScore(**each) for each in data.about.get(WITNESS_KEY, [])]
+    if not scores:
+        return []
+    lead = (
+        "Forces, frequency and pattern angle of each gyro were recorded in flight. They tell how "
+        "far its map has drifted since the bench. R2 is that of the horizontal error; a corrected "
+        "flight is the same record, navigated after the told maps were taken out. The control has "
+        "the channels of another triad."
+    )
+    header = ("calibration", "class", "self-test", "score", "value (95 %)", "triads")
+    table = make_wide_table(Table("Self-witness", header, list_figures(scores)))
+    return [
+        PageSection("witness", "What the gyros tell of themselves", make_paragraph(lead) + table)
+    ]
+
+
 def _render_method(data: StudyData) -> str:
-    left_out = (CONDITIONS_KEY, LEAD_KEY, PHASE_KEY)
+    left_out = (CONDITIONS_KEY, LEAD_KEY, PHASE_KEY, WITNESS_KEY)
     facts = tuple((k, _format_fact(v)) for k, v in data.about.items() if k not in left_out)
     rows = tuple((column.name, column.unit or "–", column.what) for column in COLUMNS)
     columns = make_wide_table(Table("Columns", ("name", "unit", ""), rows))

@@ -109,9 +109,7 @@ def compute_angle_errors(told: ToldMap, pattern: Array, time: Array, rotation: A
     bias, scale = (np.einsum("sn,st->nt", signals, maps[:, kind]) for kind in (0, 1))
     rate = np.einsum("nt,nt->n", evaluate_terms(pattern), bias)
     detected = np.einsum("nt,nt->n", _evaluate_angle_errors(pattern), scale[:, 1:])
-    return np.asarray(
-        interval * _halve(rate) + rotation * _halve(scale[:, 0]) + np.diff(detected)
-    )
+    return np.asarray(interval * _halve(rate) + rotation * _halve(scale[:, 0]) + np.diff(detected))
 
 
 def _evaluate_angle_errors(pattern: Array) -> Array:

@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
-from scipy.stats import chi2
 
 import pyhrg
 from pyhrg.common.arrays import Array
@@ -13,7 +12,7 @@ from pyhrg.common.errors import HrgError
 from pyhrg.fmu import GyroFmu
 from pyhrg.records.log import Log
 from pyhrg.witness.fit import FittedChanges, Flown, fit_changes
-from pyhrg.witness.information import compute_map_response, compute_normalized_square
+from pyhrg.witness.information import compute_map_response
 from pyhrg.witness.mechanisms import change_device
 from pyhrg.witness.replay import read_witnesses
 from pyhrg.witness.responses import Responses
@@ -51,12 +50,6 @@ def fit(
     return fit_changes(fmu, slow_fmu, gyros)
 
 
-def compute_map_rms(responses: Responses, changes: list[Array]) -> float:
-    """Rms over the circumference and over gyros of the bias that changes make, rad/s."""
-    maps = np.array(changes) @ compute_map_response(responses, RISE).T
-    return float(np.sqrt(np.mean(maps[:, 0] ** 2 + np.sum(maps[:, 1:] ** 2, axis=1) / 2)))
-
-
 def test_nees_is_in_its_band(flights: list[Flight]) -> None:
     """99 % band of chi-square for the changes of all flights together."""
     squares, degrees = zip(
@@ -73,17 +66,6 @@ def compute_map_rms(responses: Responses, changes: list[Array]) -> float:
     """Rms over the circumference and over gyros of the bias that changes make, rad/s."""
     maps = np.array(changes) @ compute_map_response(responses, RISE).T
     return float(np.sqrt(np.mean(maps[:, 0] ** 2 + np.sum(maps[:, 1:] ** 2, axis=1) / 2)))
-
-
-def test_nees_is_in_its_band(flights: list[Flight]) -> None:
-    """99 % band of chi-square for the changes of all flights together."""
-    within = np.ix_(DRIFTS, DRIFTS)
-    total = 0.0
-    for flown in flights:
-        error = (flown.fitted.changes - flown.changes)[DRIFTS]
-        total += error @ np.linalg.solve(flown.fitted.covariance[within], error)
-    degrees = int(DRIFTS.sum()) * len(flights)
-    assert chi2.ppf(0.005, degrees) < total < chi2.ppf(0.995, degrees)
 
 
 def test_the_map_is_told(flights: list[Flight], responses: Responses) -> None:

@@ -4,9 +4,11 @@ command                    what it prints
 bounds [GYROS]             bound of the bias map in each mission class
 mechanisms [GYROS]         how well each mechanism is known after an hour
 confounded                 directions among the mechanisms that simple motions see
-study [TRAINING JUDGED]    R2 of the position error in linear flights of two hours, of triads whose
+study [CALIBRATION TRAINING JUDGED]
+                           R2 of the position error in linear flights of two hours, of triads whose
                            maps are calibrated (seed 1, as `hrg study standard`)
-flown [TRIADS HOURS]       scores of flights on the FMU at 1 kHz, after each triad
+flown [CALIBRATION TRIADS HOURS]
+                           scores of flights on the FMU at 1 kHz, after each triad
 outside                    the estimate where something changed that its prior holds for constant
 """
 
@@ -23,7 +25,7 @@ from ins_eval.study.gyros.drawn_triad import (
     make_triad_seed,
     tabulate_triads,
 )
-from ins_eval.study.gyros.population import RAW
+from ins_eval.study.gyros.population import RAW, TRIMMED
 from ins_eval.study.witness.judge import list_figures, score_witnesses
 from ins_eval.study.witness.self_test import HALF_PERIOD, ROTATION
 from pyhrg.common.units import DEG, DEG_PER_H
@@ -75,27 +77,31 @@ def print_confounded() -> None:
         print(f"{title}, {DURATION / 60:g} min", *bounds.list_confounded(gyro, motion), sep="\n")
 
 
-def draw(first: int, count: int) -> list[study.DrawnTriad]:
-    fmu, distribution = load_fmu("HRGSlow"), TriadDistribution(population=RAW, method="map")
-    numbers = range(first, first + count)
+def make_distribution(method: str) -> TriadDistribution:
+    """What triads are drawn from, as in `hrg study`."""
+    if method == "mean":
+        return TriadDistribution(population=TRIMMED, method="mean")
+    return TriadDistribution(population=RAW, method="map")
+
+
+def draw(distribution: TriadDistribution, first: int, count: int) -> list[study.DrawnTriad]:
+    fmu, numbers = load_fmu("HRGSlow"), range(first, first + count)
     return [draw_triad(fmu, distribution, make_triad_seed(STUDY_SEED, n)) for n in numbers]
 
 
-def print_study(training: int, judged: int) -> None:
-    fmu, drawn = load_fmu("HRGSlow"), draw(FIRST_JUDGED, judged)
-    known = study.measure_triads(fmu, drawn)
-    blocks = tabulate_triads(fmu, draw(0, training)), tabulate_triads(fmu, drawn)
-    for title, scores in study.compute_scores(*blocks, known):
+def print_study(method: str, training: int, judged: int) -> None:
+    fmu, distribution = load_fmu("HRGSlow"), make_distribution(method)
+    drawn = draw(distribution, FIRST_JUDGED, judged)
+    known = study.measure_triads(fmu, distribution, drawn)
+    learned = tabulate_triads(fmu, draw(distribution, 0, training))
+    for title, scores in study.compute_scores(learned, tabulate_triads(fmu, drawn), known):
         print(title)
         for name, score in scores.items():
-            print(f"    {name:28s} R2 {score}", flush=True)
+            print(f"    {name:28s} {score}", flush=True)
 
 
-def print_flown(count: int, hours: int) -> None:
-    fmus, distribution = (
-        (load_fmu("HRG"), load_fmu("HRGSlow")),
-        TriadDistribution(population=RAW, method="map"),
-    )
+def print_flown(method: str, count: int, hours: int) -> None:
+    fmus, distribution = (load_fmu("HRG"), load_fmu("HRGSlow")), make_distribution(method)
     numbers = range(FIRST_JUDGED, FIRST_JUDGED + count)
     drawn = (
         (n, draw_triad(fmus[1], distribution, make_triad_seed(STUDY_SEED, n))) for n in numbers
@@ -122,7 +128,9 @@ def print_outside() -> None:
 
 
 if __name__ == "__main__":
-    command, numbers = sys.argv[1], [int(each) for each in sys.argv[2:]]
+    command, *rest = sys.argv[1:]
+    numbers = [int(each) for each in rest if each.isdigit()]
+    calibration = next((each for each in rest if not each.isdigit()), "map")
     if command == "bounds":
         print_bounds(*(numbers or [GYROS]))
     elif command == "mechanisms":
@@ -130,8 +138,8 @@ if __name__ == "__main__":
     elif command == "confounded":
         print_confounded()
     elif command == "flown":
-        print_flown(*(numbers or [FLOWN, 2]))
+        print_flown(calibration, *(numbers or [FLOWN, 2]))
     elif command == "outside":
         print_outside()
     else:
-        print_study(*(numbers or [TRAINING, JUDGED]))
+        print_study(calibration, *(numbers or [TRAINING, JUDGED]))

@@ -11,7 +11,7 @@ from ins_eval.study.witness.self_test import rotate_virtually
 from pyhrg.common.arrays import Array
 from pyhrg.witness.responses import Motion
 
-ROW = 0.1
+ROW = 0.5
 """Length of a row, s."""
 CLASSES = {
     "car": "car",

@@ -159,8 +159,8 @@ def _measure_scatter(fast: GyroFmu, devices: Sequence[Device]) -> Array:
     moving = [{"angularRate": np.zeros((SCATTER_BLOCKS, steps))}] * len(devices)
     with ExitStack() as stack:
         gyros = [stack.enter_context(fast.power_on(d.fmu_parameters(), 1, 0.0)) for d in devices]
-        nothing = [{}] * len(gyros)
-        recorded = record_together(gyros, moving, nothing, CONTROL_PERIOD, [], FORCES)
+        held: list[dict[str, Array]] = [{}] * len(gyros)
+        recorded = record_together(gyros, moving, held, CONTROL_PERIOD, [], FORCES)
     steps_between = [np.diff(means[2:], axis=0) for _, means in recorded]
     return np.std(steps_between, axis=1) / np.sqrt(2)
 

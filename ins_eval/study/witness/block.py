@@ -46,8 +46,9 @@ def witness_triads(
     """(r, TESTS, ...) fields of `WitnessedFlight` in a mission, NaN for triads that are not
     witnessed.
 
-    fmus: `HRG` and `HRGSlow`; weights: at the mission's end alone; mission: its number in the study, with which a triad's seed decides
-    the noise; triads: those that are witnessed, by number; numbers: (r,) of the whole block.
+    fmus: `HRG` and `HRGSlow`; weights: at the mission's end alone; mission: its number in the
+    study, with which a triad's seed decides the noise; triads: those that are witnessed, by number;
+    numbers: (r,) of the whole block.
     """
     flights = {
         number: [

@@ -1,6 +1,7 @@
 """The rows of witness.csv: flights whose gyros' channels were read."""
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -50,7 +51,7 @@ def tabulate_witnesses(
         bound = _attain_bound(here, true.expected[:, 0], generator)
         predictions["bound"] = NormalPrediction(bound[:, None], predictions["told"].covariance)
         predictions["true"] = true
-        columns: dict[str, Array] = {"triad": rows, "self_test_s": np.full(len(rows), test)}
+        columns: dict[str, Any] = {"triad": rows, "self_test_s": np.full(len(rows), test)}
         for name in ("flown", "by_bench", "by_channels", "by_self_test", "told", "known"):
             columns |= {f"{name}_{axis}_m": here[name][:, i] for i, axis in enumerate(AXES)}
         for key, prediction in predictions.items():

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -59,7 +60,9 @@ class WitnessedFlight:
 
 def read_true_changes(device: Device, flight: Flight) -> Array:
     """(COUNT,) changes of the mechanisms from a device to a gyro in flight, SI."""
-    drawn = {FMU_FIELDS[n]: v for n, v in flight.device.model.items() if n in FMU_FIELDS}
+    drawn: dict[str, Any] = {
+        FMU_FIELDS[n]: v for n, v in flight.device.model.items() if n in FMU_FIELDS
+    }
     flown = replace(flight.device, **drawn)
     changes = read_values(flown) - read_values(device)
     # what acts by the rate of temperature is absolute, because a replay leaves it out

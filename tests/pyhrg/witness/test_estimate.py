@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
+from scipy.stats import chi2
 
 import pyhrg
 from pyhrg.common.arrays import Array
@@ -12,7 +13,7 @@ from pyhrg.common.errors import HrgError
 from pyhrg.fmu import GyroFmu
 from pyhrg.records.log import Log
 from pyhrg.witness.fit import FittedChanges, Flown, fit_changes
-from pyhrg.witness.information import compute_map_response
+from pyhrg.witness.information import compute_map_response, compute_normalized_square
 from pyhrg.witness.mechanisms import change_device
 from pyhrg.witness.replay import read_witnesses
 from pyhrg.witness.responses import Responses

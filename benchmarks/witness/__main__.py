@@ -9,6 +9,7 @@ study [CALIBRATION TRAINING JUDGED]
                            maps are calibrated (seed 1, as `hrg study standard`)
 flown [CALIBRATION TRIADS HOURS]
                            scores of flights on the FMU at 1 kHz, after each triad
+benched [GYROS]            NEES of estimates with an error of the bench, and of their maps
 outside                    the estimate where something changed that its prior holds for constant
 """
 
@@ -16,8 +17,9 @@ import sys
 
 import numpy as np
 import pandas as pd
+from scipy.stats import chi2
 
-from benchmarks.witness import bounds, flown, outside, study
+from benchmarks.witness import benched, bounds, flown, outside, study
 from ins_eval.study.experiment import load_fmu
 from ins_eval.study.gyros.drawn_triad import (
     TriadDistribution,
@@ -32,7 +34,7 @@ from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.witness.mechanisms import NAMES
 from pyhrg.witness.responses import Motion
 
-GYROS, TRAINING, JUDGED, FLOWN = 24, 60, 80, 20
+GYROS, TRAINING, JUDGED, FLOWN, BENCHED = 24, 60, 80, 20, 16
 FIRST_JUDGED = 100
 """Number of the first judged triad, as in `hrg study standard`."""
 STUDY_SEED = 1
@@ -114,6 +116,25 @@ def print_flown(method: str, count: int, hours: int) -> None:
             print(*("; ".join(row) for row in list_figures(scores)), sep="\n", flush=True)
 
 
+def print_benched(count: int) -> None:
+    for self_test in (True, False):
+        found = list(
+            benched.estimate_benched(load_fmu("HRG"), load_fmu("HRGSlow"), count, self_test)
+        )
+        square, degrees = sum(x.square for x in found), sum(x.degrees for x in found)
+        told, believed, sigma = (
+            1e3 * np.sqrt(np.mean(np.square([getattr(x, name) for x in found])))
+            for name in ("told", "believed", "sigma")
+        )
+        low, high = chi2.ppf((0.005, 0.995), degrees) / degrees
+        print(
+            f"self-test {self_test}: NEES {square / degrees:.2f} of {degrees} degrees "
+            f"({low:.2f} to {high:.2f}); map {told:.2f} mdeg/h, stated {sigma:.2f}, before "
+            f"{believed:.2f}; smallest p {min(x.p_value for x in found):.2g}",
+            flush=True,
+        )
+
+
 def print_outside() -> None:
     print("rms error of the bias map, mdeg/h: with the log, without it; largest ratio; followed")
     for each in outside.compare_changes(load_fmu("HRG"), load_fmu("HRGSlow")):
@@ -139,6 +160,8 @@ if __name__ == "__main__":
         print_confounded()
     elif command == "flown":
         print_flown(calibration, *(numbers or [FLOWN, 2]))
+    elif command == "benched":
+        print_benched(*(numbers or [BENCHED]))
     elif command == "outside":
         print_outside()
     else:

@@ -50,7 +50,7 @@ from ins_eval.study.tables import columns, score
 from ins_eval.study.tables.score import ALL, Score
 from ins_eval.study.tables.table import TABLE, write_table
 from ins_eval.study.witness.judge import WitnessScore, score_witnesses
-from ins_eval.study.witness.tabulate import tabulate_witnesses
+from ins_eval.study.witness.tabulate import KEYS, tabulate_witnesses
 from pyhrg.common.made_by import list_versions
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, HOUR, MICRO_G
 
@@ -136,7 +136,7 @@ def _describe_lead(study: Study, arrays: Arrays) -> dict[str, Any]:
 def _tabulate_witnesses(study: Study, arrays: Arrays) -> pd.DataFrame:
     """Flights whose gyros' channels were read, of all calibrations and missions."""
     if not study.witnessed:
-        return pd.DataFrame()
+        return pd.DataFrame(columns=KEYS)
     sensors = study.accelerometer_bias_micro_g * MICRO_G, study.mounting_arcsec * ARCSEC
     inside, parts = study.interval_percent / 100, []
     with open_missions(study) as missions:
@@ -148,11 +148,10 @@ def _tabulate_witnesses(study: Study, arrays: Arrays) -> pd.DataFrame:
             flights = tabulate_witnesses(
                 found, triads, weights[number], sensors, inside, study.seed
             )
-            flights.insert(0, "calibration", method)
-            flights.insert(1, "mission_class", mission.mission_class)
-            flights.insert(2, "mission", mission.name)
-            parts.append(flights)
-    return pd.concat(parts, ignore_index=True)
+            named = (method, mission.mission_class, mission.name)
+            parts.append(flights.assign(**dict(zip(KEYS, named, strict=False))))
+    joined = pd.concat(parts, ignore_index=True)
+    return joined[[*KEYS, *joined.columns.drop(list(KEYS))]]
 
 
 def _describe_phase_diagram(

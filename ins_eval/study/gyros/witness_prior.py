@@ -10,15 +10,17 @@ from functools import cache
 
 import numpy as np
 
+from fmu_build.bundle import build_fmu
 from ins_eval.error_model.effects import ANGULAR_GAIN
 from ins_eval.mission_model.missions import WARM_UP
 from ins_eval.study.gyros.bench_plan import TABLE_RATE, WARM_RISE, BenchPlan
 from ins_eval.study.gyros.drift import AGEING_SHARE, LARGEST_LEAKAGE, Drift
 from ins_eval.study.gyros.measured_gyro import FLICKER_FLOOR
-from ins_eval.study.gyros.population import BIAS_PER_KELVIN, Population
+from ins_eval.study.gyros.population import BIAS_PER_KELVIN, RAW, Population
 from pyhrg.bench.readings.segments import SEGMENT
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
+from pyhrg.fmu import GyroFmu
 from pyhrg.witness.information import (
     accumulate_information,
     accumulate_output_information,
@@ -26,7 +28,7 @@ from pyhrg.witness.information import (
 )
 from pyhrg.witness.mechanisms import COUNT, HEATING, read_values
 from pyhrg.witness.prior import Prior, compute_turn_on_covariance, make_drift_prior
-from pyhrg.witness.responses import Motion, Responses
+from pyhrg.witness.responses import Motion, Responses, measure_responses
 
 DRAWS = 400
 """Number of gyros by which a population's spread is taken. Chosen: known to 4 %."""
@@ -55,6 +57,13 @@ def compute_bench_covariance(
         compute_population_covariance(population), measure_bench(responses, device, plan)
     )
     return benched + compute_turn_on_covariance(device) / plan.runs
+
+
+def widen_prior(prior: Prior, device: Device) -> Prior:
+    """The prior of a device that is known no better than the bench of the study leaves it."""
+    responses = measure_responses(GyroFmu(build_fmu("HRGSlow")), device)
+    benched = compute_bench_covariance(responses, device, RAW, BenchPlan())
+    return Prior(prior.mean, prior.covariance + benched)
 
 
 def make_study_drift(device: Device, drift: Drift) -> Prior:

@@ -16,7 +16,7 @@ from pyhrg.fmu import GyroFmu
 
 TESTS = (0.0, SELF_TEST)
 """Durations of the self-test at power-on, s: each triad flies with each."""
-_SHAPES = {
+SHAPES = {
     **dict.fromkeys(("flown", "by_bench", "by_channels", "by_self_test", "told", "known"), (2,)),
     **dict.fromkeys(("told_covariance", "known_covariance"), (2, 2)),
     **dict.fromkeys(("squares", "degrees", "p_values"), (3,)),
@@ -64,12 +64,11 @@ def witness_triads(
         for number, (triad, believed) in triads.items()
     }
     return {
-        name: np.stack([_stack(flights.get(number), name) for number in numbers])
-        for name in _SHAPES
+        name: np.stack([_stack(flights.get(number), name) for number in numbers]) for name in SHAPES
     }
 
 
 def _stack(flights: list[WitnessedFlight] | None, name: str) -> Array:
     if flights is None:
-        return np.full((len(TESTS), *_SHAPES[name]), np.nan)
+        return np.full((len(TESTS), *SHAPES[name]), np.nan)
     return np.stack([getattr(each, name) for each in flights])

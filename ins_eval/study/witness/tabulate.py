@@ -16,6 +16,8 @@ from ins_eval.study.witness.block import TESTS
 from pyhrg.common.arrays import Array
 
 AXES = ("north", "east")
+KEYS = ("calibration", "mission_class", "mission", "triad", "self_test_s")
+"""Columns that name a flight."""
 
 
 def tabulate_witnesses(

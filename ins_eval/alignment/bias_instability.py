@@ -14,7 +14,7 @@ deviation over 10 s to 100 s of a record of 300 s is right to 7 % (test_bias_ins
 
 def correlation_times(longest: float) -> Array:
     """Return the correlation times (3,), s, of the processes whose sum approximates flicker noise
-    (`pyhrg.noise.flicker.compute_process_variance`).
+    (`pyhrg.noise.coefficients.compute_process_variance`).
 
     They are the longest, a tenth and a hundredth of it. Faster variation is part of the sensors'
     white noise.

@@ -8,11 +8,10 @@ import numpy as np
 
 from ins_eval.imu.gyros import GyroOutput
 from ins_eval.mission_model.missions import STILL
-from ins_eval.parking.case import CASES, LIMIT, Case, Known, Start
-from ins_eval.parking.gyro import MappedGyro
+from ins_eval.parking.gyro import CASES, LIMIT, Case, Known, MappedGyro, Start
 from ins_eval.parking.mission import INTERVAL, Mission, find_ready_time
 from pyhrg.common.arrays import Array
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 VERTICAL = 2
 """Axis of the gyro that is not parked: turns of the vehicle take its pattern all round."""

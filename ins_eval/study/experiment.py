@@ -12,8 +12,11 @@ from numpy.typing import NDArray
 from fmu_build.bundle import build_fmu
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import StudyMission, plan_mission
-from ins_eval.mission_model.position_errors import PositionErrors, compute_position_errors
-from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.position_errors import (
+    PositionErrors,
+    TriadBlock,
+    compute_position_errors,
+)
 from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.study import lead
 from ins_eval.study.conditions import CONDITIONS, ConditionSample
@@ -57,6 +60,7 @@ NUMBERS, FLOWN = "numbers", "flown"
 LEAD = "lead"
 WITNESS = "witness"
 Witnessed = dict[int, tuple[DrawnTriad, list[BelievedGyro]]]
+"""Triads whose channels are read, by number."""
 TRUTHS_KEPT = 10
 """Number of missions whose truth a process keeps; two hours of one take 100 MB. Chosen: those of
 `standard`, so that no block computes one again."""
@@ -251,8 +255,6 @@ def _believe_triads(
     study: Study, method: Method, triads: range, drawn: list[DrawnTriad]
 ) -> Witnessed:
     """The triads of a block whose channels are read in flight, by number."""
-    if not study.witnessed:
-        return {}
     fmu, distribution = load_fmu("HRGSlow"), make_distribution(study, method)
     return {
         number: (each, believe_triad(fmu, distribution, each))
@@ -262,20 +264,15 @@ def _believe_triads(
 
 
 def _witness(
-    study: Study,
-    method: Method,
-    number: int,
-    triads: range,
-    believed: Witnessed,
+    study: Study, method: Method, number: int, triads: range, believed: Witnessed,
     weights: MissionWeights,
-) -> dict[str, NDArray[Any]]:
+) -> dict[str, NDArray[Any]]:  # fmt: skip
     """What the channels tell in a mission of the study."""
     if not study.witnessed:
         return {}
-    mission = study.missions[number]
-    truth = load_truth(mission.file_name, mission.content, mission.hours)
-    fmus = load_fmu("HRG"), load_fmu("HRGSlow")
-    end = select_time(weights, -1)
+    flown = study.missions[number]
+    truth = load_truth(flown.file_name, flown.content, flown.hours)
+    fmus, end = (load_fmu("HRG"), load_fmu("HRGSlow")), select_time(weights, -1)
     found = witness_triads(fmus, truth, end, number, believed, triads)
     return {f"{method}/{number}/{WITNESS}/{name}": values for name, values in found.items()}
 

@@ -18,7 +18,7 @@ from ins_eval.study.witness.self_test import SETTLING as AFTER_TEST
 from ins_eval.study.witness.self_test import rotate_virtually
 from pyhrg.common.arrays import Array
 from pyhrg.fmu import CONTROL_PERIOD, Gyro, GyroFmu, record_together
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 from pyhrg.witness.replay import Witnesses
 from pyhrg.witness.responses import FORCES
 

@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 
 from ins_eval.mission_model.mission_weights import MissionWeights
-from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.position_errors import TriadBlock
 from ins_eval.study.predictors import true_parameters
 from ins_eval.study.predictors.bench_figures import collect_bench_figures
 from ins_eval.study.predictors.prediction import NormalPrediction

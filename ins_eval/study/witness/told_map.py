@@ -9,12 +9,21 @@ from dataclasses import dataclass
 import numpy as np
 
 from ins_eval.error_model.effects import ANGULAR_GAIN
-from ins_eval.mission_model.gyro_map import HARMONICS, TERMS, evaluate_terms
+from ins_eval.mission_model.gyro_map import (
+    HARMONICS,
+    TERMS,
+    evaluate_terms,
+    start_maps,
+    turn_weights,
+)
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.position_errors import compute_expected_error
-from ins_eval.mission_model.signals import COUNT, slice_coefficients
-from ins_eval.mission_model.turned_maps import start_maps, turn_weights
-from ins_eval.mission_model.warming import compute_case_warming_rate, compute_resonator_warmth
+from ins_eval.mission_model.signals import (
+    COUNT,
+    compute_case_warming_rate,
+    compute_resonator_warmth,
+    slice_coefficients,
+)
 from ins_eval.study.predictors.prediction import NormalPrediction
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device

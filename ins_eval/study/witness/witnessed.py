@@ -8,7 +8,7 @@ import numpy as np
 
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import STILL
-from ins_eval.mission_model.warming import compute_resonator_warmth
+from ins_eval.mission_model.signals import compute_resonator_warmth
 from ins_eval.study.gyros.drawn_triad import AXES, DrawnTriad
 from ins_eval.study.gyros.drift import Flight
 from ins_eval.study.witness.believed import BelievedGyro

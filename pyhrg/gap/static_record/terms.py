@@ -5,6 +5,13 @@ from dataclasses import dataclass
 
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G
 
+UNITS = {
+    **{"arcsec": "arcsec", "deg_sqrt_h": "deg/sqrt(h)", "deg_h": "deg/h", "m_s": "m/s"},
+    **{"deg_h_sqrt_h": "deg/h/sqrt(h)", "deg_h_h": "deg/h/h", "m_s_sqrt_h": "m/s/sqrt(h)"},
+    **{"micro_g": "micro-g", "micro_g_sqrt_h": "micro-g/sqrt(h)", "micro_g_h": "micro-g/h"},
+}
+"""Units of noise terms by the ends of their keys."""
+
 
 @dataclass(frozen=True)
 class Term:
@@ -13,6 +20,11 @@ class Term:
     effect: str
     parameter: str
     factor: float
+
+    @property
+    def unit(self) -> str:
+        """Unit of the parameter, which ends the key."""
+        return UNITS[self.parameter.removeprefix(f"{self.effect}_")]
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,7 @@ from typing import Any
 import pandas as pd
 import pytest
 
-from ins_eval.study.report.page import select_shown, write_page
-from ins_eval.study.report.sections import make_sections
+from ins_eval.study.report.page import make_sections, select_shown, write_page
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.summary.predict_error import predict_from_study
 from ins_eval.study.tables import columns as c

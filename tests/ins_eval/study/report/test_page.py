@@ -7,8 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from ins_eval.study.report.page import render_page, select_shown, write_page
-from ins_eval.study.report.sections import make_sections
+from ins_eval.study.report.page import make_sections, render_page, select_shown, write_page
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
 from tests.elements import elements

@@ -7,8 +7,7 @@ import pytest
 
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.missions import STILL
-from ins_eval.mission_model.signals import ENVIRONMENT, slice_coefficients
-from ins_eval.mission_model.warming import compute_case_warmth
+from ins_eval.mission_model.signals import ENVIRONMENT, compute_case_warmth, slice_coefficients
 from ins_eval.study.gyros.true_maps import read_flight_coefficients
 from ins_eval.study.witness.told_map import ToldMap, compute_angle_errors, tell_map
 from pyhrg.common.units import DEG_PER_H

@@ -18,7 +18,7 @@ from pyhrg.gap.static_record.record import (
 from pyhrg.gap.static_record.record import (
     read_static_record as read_record,
 )
-from pyhrg.gap.static_record.shared_motion import compute_shared_power
+from pyhrg.gap.static_record.run import compute_shared_power
 from pyhrg.gap.static_record.terms import ACCELEROMETER, GYRO
 from tests.pyhrg.noises import noisy_angle
 

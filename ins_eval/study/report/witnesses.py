@@ -1,10 +1,8 @@
 """The section of the report on what the gyros' own channels tell."""
 
-from pyhrg.common.pages.markup import PageSection
-
 from ins_eval.study.study_data import WITNESS_KEY, StudyData
 from ins_eval.study.witness.judge import WitnessScore, list_figures
-from pyhrg.common.pages.markup import Table, make_paragraph, make_wide_table
+from pyhrg.common.pages.markup import PageSection, Table, make_paragraph, make_wide_table
 
 
 def make_witness_section(data: StudyData) -> list[PageSection]:

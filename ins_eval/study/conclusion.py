@@ -23,7 +23,12 @@ from ins_eval.study.experiment import (
     select_errors,
     select_triads,
 )
-from ins_eval.study.flight_table import Training, tabulate_flights, train_methods
+from ins_eval.study.flight_table import (
+    Training,
+    tabulate_flights,
+    tabulate_witnessed,
+    train_methods,
+)
 from ins_eval.study.gyros.makers_calibration import Method
 from ins_eval.study.phase_diagram import (
     DURATION,
@@ -51,7 +56,6 @@ from ins_eval.study.study_data import (
 from ins_eval.study.tables import columns, score
 from ins_eval.study.tables.columns import TABLE, write_table
 from ins_eval.study.tables.score import ALL, Score
-from ins_eval.study.witness.conclude import tabulate_study
 from ins_eval.study.witness.judge import WitnessScore, score_witnesses
 from pyhrg.common.arrays import Array
 from pyhrg.common.made_by import list_versions
@@ -144,7 +148,7 @@ def write_conclusion(study: Study, arrays: Arrays, folder: Path) -> None:
     ]
     phase = _describe_phase_diagram(study, arrays, trained)
     write_rows(phase.get("rows", []), folder / PHASE_TABLE)
-    witnessed = tabulate_study(study, arrays)
+    witnessed = tabulate_witnessed(study, arrays)
     witnessed.to_csv(folder / WITNESS_TABLE, index=False)
     told = score_witnesses(witnessed, study.seed)
     document = _make_document(study, scores, _describe_lead(study, arrays), phase, told)

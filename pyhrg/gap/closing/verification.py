@@ -51,7 +51,7 @@ def compute_gap_figures(
     chosen, residuals = [tests[i] for i in held_out], [after[i] for i in held_out]
     whiteness = compute_whiteness(chosen, residuals, noise)
     ends = [np.concatenate([stage[i] for i in held_out]) for stage in (before, after)]
-    (area,) = _make_figures(measure_areas(chosen, ends, noise, SEED), [ARCSEC])
+    (area,) = _make_figures(list(measure_areas(chosen, ends, noise, SEED)), [ARCSEC])
     shrink = None  # docs/methods/verdict.md, Eq. (5); None where there is no excess over the floor
     if angle.before > angle.floor_95[1]:
         shrink = 100 * (angle.before - angle.after) / (angle.before - angle.floor)

@@ -124,8 +124,8 @@ def _parse_gap(table: TomlTable) -> Gap:
     )
     if fit_angle is None:
         raise table.table("before").table("fit").missing("angle_arcsec", "a number")
-    ends = (table.optional_number(key) for key in ("shrink_percent", "whiteness"))
-    return Gap(fit_angle, fit_rate, angle, rate, *ends, area)
+    shrink, whiteness = (table.optional_number(k) for k in ("shrink_percent", "whiteness"))
+    return Gap(fit_angle, fit_rate, angle, rate, shrink, whiteness, area)
 
 
 def _parse_figure(gap: TomlTable, role: str, unit: str) -> GapFigure | None:

@@ -33,6 +33,7 @@ from fmu_build.roots import PARTS, ROOTS, Root
 from pyhrg.common.caches.files import find_cache_folder, is_intact, write_digest
 from pyhrg.common.files import write_whole
 from pyhrg.common.made_by import find_modelica
+from pyhrg.common.reading.limits import refuse_unreadable
 
 SOURCES = (
     "model.c",
@@ -78,8 +79,7 @@ def build_fmu(
     A wheel holds those of FMI 2.0, for all platforms: no compiler is needed where it is installed.
 
     Args:
-        model: a key of `fmu_build.roots.ROOTS` or `PARTS`: HRG, HRGCarrier, HRGSlow, Navigator or
-            Accelerometers.
+        model: a key of `fmu_build.roots.ROOTS` (the gyro: HRG, HRGCarrier or HRGSlow) or `PARTS`.
         class_file: a Modelica file that holds one class, named as the file, that is a gyro with
             sampled loops and uses the library HRG; it takes the place of `model`.
         fmi: version of the standard, 2 or 3.
@@ -179,11 +179,12 @@ def write_fmu(
     """Translate, compile and pack a model; `path` appears only when all is done."""
     platforms = choose_platforms(platforms, fmi)
     progress(f"translating {root.model}")
-    dae = translate(find_modelica_library(), root.model, file=root.file)
     sources = [*SOURCES, SHELLS[fmi]]
     with tempfile.TemporaryDirectory(prefix="hrg-build-") as name:
         folder = Path(name)
-        description = write_sources(dae, folder, fmi, root)
+        with refuse_unreadable(root.model, "gyro that the generator knows"):
+            dae = translate(find_modelica_library(), root.model, file=root.file)
+            description = write_sources(dae, folder, fmi, root)
         content = {"modelDescription.xml": description.encode()}
         packed = [*(folder / name for name in sources), *folder.glob("*.h")]
         content |= {f"sources/{f.name}": f.read_bytes() for f in packed}
@@ -253,6 +254,6 @@ def _make_enclosures(
     }
     found |= run.files(root.identifier)
     found |= {f"documentation/licenses/{n}": text for n, text in list_licence_files(fmi).items()}
-    if root.file is None:
+    if root.identifier in ROOTS:
         found |= {f"resources/{file.name}": file.read_bytes() for file in DEVICES.glob("*.ssv")}
     return found | ({"model.png": icon} if fmi == 2 else {})

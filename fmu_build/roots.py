@@ -62,6 +62,20 @@ PARTS = {
     root.identifier: root
     for root in (
         Root(
+            "HRGPlant",
+            "HRG.Gyroscopes.HRGPlant",
+            "Resonator, pick-offs and drives of a hemispherical resonator gyro",
+            "runge_kutta_4",
+            "0.001",
+        ),
+        Root(
+            "HRGElectronics",
+            "HRG.Gyroscopes.HRGElectronics",
+            "Control electronics of a hemispherical resonator gyro at 1 kHz",
+            "runge_kutta_4",
+            "0.001",
+        ),
+        Root(
             "Navigator",
             "Strapdown.Navigator",
             "Strapdown navigator on WGS-84",
@@ -79,4 +93,4 @@ PARTS = {
         ),
     )
 }
-"""The parts of a system that are no gyro."""
+"""The parts of a gyro, and those of a system that are no gyro."""

@@ -1,6 +1,7 @@
 """Bias instability during an alignment: flicker noise that begins with the record.
 
-Its variation before the record counts as the stated bias (docs/methods/alignment.md, Eqs. 8, 9).
+What it has become before the record is part of the stated bias (docs/methods/alignment.md, Eqs. 8
+and 9).
 """
 
 import numpy as np

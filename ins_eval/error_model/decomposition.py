@@ -106,7 +106,7 @@ def decompose_errors(
 def _estimate_with_prior(signals: Array, values: Array, deviations: Array, noise: float) -> Array:
     """Return the maximum a posteriori coefficients (Gelb 1974, section 4.3).
 
-    The noise is taken to be at least 1e-9 of the signals, which is rounding.
+    The noise is at least 1e-9 of the largest scaled signal, which is the size of rounding.
     """
     scaled = signals * deviations
     noise = max(noise, 1e-9 * float(np.max(np.abs(scaled))))

@@ -19,10 +19,11 @@ DRIVES = 10
 """Simulations of a gyro through the mission, a triad: three as they come, two level ones parked at
 each of two angles, three with maps."""
 RECORDS = ("running", "ready", "valid", "power_on")
-"""What alignment uses of the five minutes: all, of gyros that run already when they begin; from
-when the last gyro is ready; from when the last output is valid; all."""
+"""Which part of the five minutes at rest alignment uses. `running`: all, with gyros that were
+switched on before; `ready`: from when the last gyro is ready; `valid`: from when the last output is
+valid; `power_on`: all, with gyros that are switched on as they begin."""
 RUNNING = 60.0
-"""Time for which those gyros run before the five minutes begin, s."""
+"""Time from switch-on to the five minutes in the case `running`, s."""
 
 
 @dataclass(frozen=True)

@@ -10,10 +10,9 @@ from fmu_build.archive.packing import pack_archive
 from fmu_build.binaries.platforms import choose_platforms, list_platforms
 from fmu_build.bundle import build_fmu
 from ins_eval.common.state import State
-from ins_eval.flights.flight import spawn_seeds
+from ins_eval.flights.flight import Truth, sample_truth, spawn_seeds
 from ins_eval.flights.plan import HeightMode, Plan, plan_simulation
 from ins_eval.flights.sources import load_imu_at_rate
-from ins_eval.flights.truth import Truth, sample_truth
 from ins_eval.imu.imu import Imu
 from ins_eval.navigation.height import BaroDamped
 from ins_eval.system.player.motion import SAMPLES, format_motion

@@ -12,9 +12,9 @@ from pyhrg.noise.likelihood import POWERS, compute_shapes
 def estimate_rate_ramp(angle: Array, interval: float, noise: NoiseCoefficients) -> Coefficient:
     """Rate ramp, rad/s^2, by generalized least squares (Eq. 17 of docs/methods/noise.md).
 
-    Angles are (n,) rad, evenly spaced by the interval, s. The interval covers with 95 % or more: it
-    is that of a normal estimate under the largest rate random walk that the record allows. The
-    slope of such a walk from end to end looks like a ramp.
+    Angles are (n,) rad, evenly spaced by the interval, s. The confidence interval covers the true
+    ramp with at least 95 %. It is normal, and its variance includes the largest rate random walk
+    that the record allows, whose slope from end to end can't be told from a ramp.
     """
     n = len(angle)
     time = interval * (np.arange(n) - (n - 1) / 2)

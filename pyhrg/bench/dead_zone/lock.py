@@ -1,9 +1,10 @@
 """What a free pattern does at a constant rate: it locks in, or turns in whole periods. The bias map
 that locks it comes from logs in which the table turns the pattern slowly, both ways.
 
-The mean output rate of a segment less the input is the bias map averaged over what the pattern
-swept meanwhile; neighbours share the angle noise of the bound between them (`row_fit`). A pick-off
-error goes with the rate, the bias does not: both directions separate them.
+The mean output rate of a segment less the mean input rate is the bias map averaged over the pattern
+angles of the segment. Errors of adjacent segments are correlated: the angle noise where one ends
+and the next begins enters both (`row_fit`). A pick-off error goes with the rate, the bias does not:
+both directions separate them.
 """
 
 import math
@@ -32,10 +33,11 @@ STILL = 1 * DEG
 class Run:
     """One power-on at a constant rate.
 
-    name: of the test.
-    rate: inertial, on the input axis, rad/s; rotation: virtual, as an input rate.
-    pattern_rate: mean over whole periods, as an input rate: -(d th/dt)/k; 0 while locked.
-    locked: in the last quarter.
+    name: name of the test.
+    rate: inertial rate on the input axis, rad/s.
+    rotation: virtual rotation as an input rate, rad/s.
+    pattern_rate: mean over whole periods as an input rate, -(d th/dt)/k, rad/s; 0 while locked.
+    locked: whether the pattern is locked in the last quarter of the log.
     angle: mean pattern angle of the last quarter, rad.
     output: mean output rate of the last half, rad/s.
     """

@@ -11,6 +11,7 @@ from pyhrg.common.pages.markup import Table, make_document, make_paragraph, make
 STYLE = (
     "img{max-width:100%;background:#fff}.wide table{min-width:0}"
     ".wide td:not(:last-child),.wide th:not(:last-child){white-space:nowrap}"
+    ".wide td:nth-child(6){min-width:14rem}"
 )
 
 

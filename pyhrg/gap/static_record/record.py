@@ -29,7 +29,7 @@ class Channel:
     angle: (n,) integral of the sensed quantity (angle or velocity), SI, evenly spaced, without
         gaps.
     temperature: (n,) K; None where it was not logged.
-    quantum: quantization step of the readings, SI; None where they lie on no grid.
+    quantization_step: of the readings, SI; None where they lie on no grid.
     may_drift: whether a ramp of the rate is expected, so that it is no gap.
     mean: of the sensed quantity over all readings, SI; `angle` is without it.
     """
@@ -39,7 +39,7 @@ class Channel:
     interval: float
     angle: Array
     temperature: Array | None = None
-    quantum: float | None = None
+    quantization_step: float | None = None
     may_drift: bool = False
     mean: float = 0.0
 
@@ -106,9 +106,9 @@ def channel_from_increments(
     if np.ptp(increments) == 0:
         raise HrgError(f"{name}: found {increments[0]:g} in all readings, expected noise")
     mean = float(np.mean(increments))
-    quantum = find_quantization_step(increments)
+    step = find_quantization_step(increments)
     angle = np.cumsum(increments - mean)
-    return Channel(name, kind, interval, angle, temperature, quantum, mean=mean / interval)
+    return Channel(name, kind, interval, angle, temperature, step, mean=mean / interval)
 
 
 def _take_bench_log(log: Log) -> StaticRecord:

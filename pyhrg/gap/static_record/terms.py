@@ -37,7 +37,7 @@ class Kind:
         integrated readings; in the order of `pyhrg.noise.likelihood.POWERS`.
     ramp: constant change of the bias with time.
     temperature_term: change of the bias with temperature.
-    quantum: quantization step of the integrated readings.
+    quantization: step of the integrated readings.
     rate_unit, rate_scale: unit of the readings as rates, and its value in SI.
     """
 
@@ -46,14 +46,14 @@ class Kind:
     terms: tuple[Term, Term, Term, Term]
     ramp: Term
     temperature_term: Term
-    quantum: Term
+    quantization: Term
     rate_unit: str
     rate_scale: float
 
     @property
     def by_parameter(self) -> Mapping[str, Term]:
         """Terms that a file of beliefs may state, by key."""
-        return {term.parameter: term for term in (*self.terms, self.ramp, self.quantum)}
+        return {term.parameter: term for term in (*self.terms, self.ramp, self.quantization)}
 
 
 GYRO = Kind(
@@ -67,7 +67,7 @@ GYRO = Kind(
     ),
     ramp=Term("rate_ramp", "rate_ramp_deg_h_h", DEG_PER_H / HOUR),
     temperature_term=Term("bias_temperature", "bias_deg_h_per_K", DEG_PER_H),
-    quantum=Term("angle_quantisation", "quantum_arcsec", ARCSEC),
+    quantization=Term("angle_quantisation", "quantum_arcsec", ARCSEC),
     rate_unit="deg/h",
     rate_scale=DEG_PER_H,
 )
@@ -85,7 +85,7 @@ ACCELEROMETER = Kind(
     ),
     ramp=Term("acceleration_ramp", "acceleration_ramp_micro_g_h", MICRO_G / HOUR),
     temperature_term=Term("bias_temperature", "bias_micro_g_per_K", MICRO_G),
-    quantum=Term("velocity_quantisation", "quantum_m_s", 1.0),
+    quantization=Term("velocity_quantisation", "quantum_m_s", 1.0),
     rate_unit="micro-g",
     rate_scale=MICRO_G,
 )

@@ -141,7 +141,8 @@ def _draft_test(
 ) -> list[str]:
     kind = next(kind for kind, pattern in KINDS.items() if re.search(pattern, name.lower()))
     lines = ["[[tests]]", f'id = "{name}"', f'kind = "{kind}"   # guessed']
-    lines += ['role = "fit"   # or "holdout": verifies, is never fitted', f"file = '{path}'"]
+    lines.append('role = "fit"   # or "holdout": verifies a diagnosis; neither fitted nor benched')
+    lines.append(f"file = '{path}'")
     if "time" not in guessed:
         lines.append("interval_s = 1.0   # edit: no column of times was found")
     absent = [f'"{stem}"' for stem in shared if stem not in {**guessed, **CONSTANTS}]
@@ -175,6 +176,15 @@ def _guess_columns(sketch: Sketch) -> dict[str, str]:
         stem = next((stem for stem in guesses if stem not in lines), "")
         if stem:
             lines[stem] = guesses[stem]
+    return _align_origins(lines)
+
+
+def _align_origins(lines: dict[str, str]) -> dict[str, str]:
+    """Lines whose output angle counts from zero where the table's does: one that is logged as an
+    angle, since sums of rates begin at zero."""
+    gyro = lines.get("gyro_angle", "")
+    if "from_zero" in lines.get("table_angle", "") and gyro and "integrate" not in gyro:
+        lines["gyro_angle"] = gyro.replace(" }", ", from_zero = true }")
     return lines
 
 

@@ -173,13 +173,47 @@ def test_a_draft_of_another_laboratorys_logs_needs_no_edit(
     whole, short = (test.log for test in imported.tests[:2])
     assert whole.time[0] == 1.0
     assert whole.table_angle / DEG == pytest.approx(5 * (t - 1))
-    assert whole.gyro_angle / DEG == pytest.approx(turned)
+    earth = imported.site.compute_earth_rate(1.0) / DEG
+    assert whole.gyro_angle / DEG == pytest.approx(turned - turned[0] + earth)
     assert whole.wave_angle == pytest.approx(-0.277 * np.radians(turned))
     assert whole.temperature[0] == 298.15
     assert whole.amplitude[0] == 1.0
     assert whole.amplitude_force[0] == pytest.approx(8 / 3600)
     assert whole.frequency_offset[0] == pytest.approx(0.1 * 2 * np.pi)
     assert not short.has_values("table_angle")
+
+
+@pytest.mark.parametrize("gyro", ["", ", from_zero = true"])
+def test_origins_that_contradict_each_other_are_said(
+    mapping: Path, capsys: pytest.CaptureFixture[str], gyro: str
+) -> None:
+    """A log that begins while the table turns: a table from zero beside an output that is not."""
+    t = 0.5 * np.arange(1, 5)
+    turned = 5 * t + 100
+    frame = pd.DataFrame({"t": t, "table": turned, "out": turned + 7, "pattern": -0.277 * turned})
+    frame.to_csv(mapping.parent / "table.csv", index=False)
+    head = re.sub(r"\[layout\].*", "", block("toml"), flags=re.DOTALL)
+    columns = f"""
+[columns]
+axis_up = 1
+time = {{ column = "t", unit = "s" }}
+table_angle = {{ column = "table", unit = "deg", from_zero = true }}
+gyro_angle = {{ column = "out", unit = "deg"{gyro} }}
+wave_angle = {{ column = "pattern", unit = "deg" }}
+[[tests]]
+id = "rate"
+kind = "rate"
+role = "fit"
+file = "table.csv"
+"""
+    mapping.write_text(head + columns)
+    log = import_campaign(mapping).campaign.tests[0].log
+    assert run(mapping, "--check") == 0
+    said = "gyro_angle begins 109.499 deg beside table_angle" in capsys.readouterr().out
+    assert said == (not gyro)
+    if gyro:
+        earth = EARTH_RATE * np.sin(39.9 * DEG)
+        assert log.gyro_angle[0] - log.table_angle[0] == pytest.approx(0.5 * earth)
 
 
 def test_the_documented_example_is_drafted(mapping: Path) -> None:

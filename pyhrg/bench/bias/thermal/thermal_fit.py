@@ -1,5 +1,6 @@
-"""Fit of the bias by the resonator's temperature, the rate of the case's and the pattern angle. The
-resonator's temperature lags behind the case's; the loop frequency shows the lag.
+"""Least-squares fit of the bias as a function of the resonator's temperature, the rate of change of
+the case's temperature, and the pattern angle. The resonator's temperature lags behind the case's;
+the loop frequency shows the lag.
 """
 
 from dataclasses import dataclass
@@ -43,7 +44,8 @@ class Thermometer:
 
 
 def estimate_temperature(log: Log, nominal_lag: float | None = None) -> Thermometer:
-    """Temperature of the resonator: first-order lag, equal to the case's at power-on.
+    """Estimate the resonator's temperature. It follows the case's temperature with a first-order
+    lag, and equals it at power-on.
 
     The nominal lag, s, is used where the loop frequency does not follow the temperature.
     """

@@ -10,7 +10,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD, GyroFmu, record_together
 from pyhrg.witness.filter import filter_rows
-from pyhrg.witness.information import factor_covariance
+from pyhrg.witness.information import compute_normalized_square, factor_covariance
 from pyhrg.witness.mechanisms import COUNT, HEATING, change_device
 from pyhrg.witness.prior import Prior
 from pyhrg.witness.replay import SETTLING, Replay, Witnesses, guess_course, replay
@@ -23,10 +23,12 @@ from pyhrg.witness.responses import (
     measure_responses,
 )
 
-STAGES = 2
-"""Number of times that the gyro is replayed and its sensitivities are taken, with the changes of
-the time before. Derived: the second replay is off by the nonlinear part of the changes that the
-first left, which is below noise."""
+STAGES = 6
+"""Largest number of times that the gyro is replayed and its sensitivities are taken, with the
+changes of the time before. Chosen: slow motions converge by half in each."""
+CONVERGENCE_CHI2 = 1.0
+"""The fit has converged when a stage moves no gyro's changes by more than this, as a normalised
+square. Chosen."""
 REPLAYS = 2
 """Number of replays in each stage, the last of which is compared. Derived: each leaves of the
 course's error the gyro's errors as a share of what the one before left, 1e-3."""
@@ -74,8 +76,8 @@ def fit_changes(fast: GyroFmu, slow: GyroFmu, gyros: Sequence[Flown]) -> list[Fi
     """The mechanisms' changes of gyros in flights of one length, by Gauss-Newton.
 
     Each stage replays the gyros with the changes of the last one. The first has one round, which
-    finds where to replay; the second adds what its first round changed of the quasi-static forces,
-    and filters all rows again: a decay time that is off by 2 % is off by 2 % of that after each.
+    finds where to replay; the others add what their first round changed of the quasi-static forces,
+    and filter all rows again: a decay time that is off by 2 % is off by 2 % of that after each.
 
     fast: `HRG`; slow: `HRGSlow`.
     """
@@ -95,10 +97,16 @@ def fit_changes(fast: GyroFmu, slow: GyroFmu, gyros: Sequence[Flown]) -> list[Fi
                 for g, each in zip(gyros, changed, strict=True)
             ]
         fitted = [
-            _fit_stage(slow, *each, rounds=stage + 1)
+            _fit_stage(slow, *each, rounds=2 if stage else 1)
             for each in zip(gyros, replays, changes, responses, scatters, strict=True)
         ]
+        moved = [
+            compute_normalized_square(each.changes - before, each.covariance)[0]
+            for each, before in zip(fitted, changes, strict=True)
+        ]
         changes = [each.changes for each in fitted]
+        if stage and max(moved) < CONVERGENCE_CHI2:
+            break
     return fitted
 
 

@@ -1,7 +1,6 @@
 """Normal equations of a campaign: residuals, sensitivities and candidate terms, whitened."""
 
-import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -12,6 +11,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, Coordinates
 from pyhrg.gap.effects.catalogue import Effect
+from pyhrg.gap.effects.form import Form, build_form_columns
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
@@ -19,7 +19,7 @@ from pyhrg.gap.replay.simulation import compute_carrier_terms
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, compute_temperature_slopes
 from pyhrg.gap.whitening.whitening import WhitenedSeries, whiten
 
-Group = Effect | CandidateTerm
+Group = Effect | CandidateTerm | Form
 """What a group of the design's columns stands for."""
 Sizes = Mapping[Group, Array]
 """Size of each group, in units of its columns."""
@@ -79,6 +79,12 @@ class Design:
         """Logarithm of the residual's likelihood if nothing explains it, up to a constant."""
         log_determinant = sum(b.log_determinant / (1 + b.model_error) for b in self.blocks)
         return -(self.power + log_determinant + self.log_volume) / 2
+
+    @cached_property
+    def log_volumes(self) -> dict[Group, float]:
+        """Half the log determinant of each group's own products."""
+        own = {group: self.gram[np.ix_(where, where)] for group, where in self.columns.items()}
+        return {g: float(np.linalg.slogdet(gram)[1]) / 2 for g, gram in own.items()}
 
     @property
     def groups(self) -> list[Group]:
@@ -147,11 +153,14 @@ def list_forms(design: Design, term: CandidateTerm) -> list[CandidateTerm]:
 
 
 def build_design(
-    parts: Sequence[LinearTest], noise: CampaignNoise, jumps: Sequence[Jump] = ()
+    parts: Sequence[LinearTest],
+    noise: CampaignNoise,
+    jumps: Sequence[Jump] = (),
+    forms: Collection[Form] = (),
 ) -> Design:
     """Whiten all series of linearized tests and sum up the normal equations
     (docs/methods/effects.md, Eqs. 7 and 8). Jumps are candidates in addition to effects and
-    candidate terms."""
+    candidate terms; forms are what the terms may miss."""
     effects = list(parts[0].sensitivities)
     columns: dict[Group, NDArray[np.int64]] = {}
     outputs = [jump for jump in jumps if jump.kind == "output"]
@@ -161,7 +170,10 @@ def build_design(
     shared = np.arange(count)
     for channel in CHANNELS:
         for index, part in enumerate(parts):
-            candidates = build_term_columns(part.where, channel)
+            candidates: list[tuple[Group, Array]] = [
+                *build_term_columns(part.where, channel),
+                *build_form_columns(part.where, channel, forms),
+            ]
             if channel == "gyro_angle":
                 candidates += [(j, j.columns(part.where)) for j in jumps if j not in outputs]
             terms, values = zip(*candidates, strict=True)
@@ -247,26 +259,11 @@ def discount_model_error(design: Design, model_error: Mapping[TestChannel, float
     return _assemble(design.columns, blocks)
 
 
-def measure_power(design: Design, sizes: Sizes) -> dict[TestChannel, float]:
-    """Chi-square of what groups of these sizes make in each channel of each test."""
-    return {where: power for where, power, _ in _measure_blocks(design, sizes)}
-
-
-def measure_excess(design: Design, sizes: Sizes) -> dict[TestChannel, float]:
-    """Chi-square, beyond that of the noise, that groups of these sizes may leave of the residual in
-    each channel of each test: the upper end of its 95 % interval."""
-    return {where: left for where, _, left in _measure_blocks(design, sizes)}
-
-
-def _measure_blocks(design: Design, sizes: Sizes) -> Iterator[tuple[TestChannel, float, float]]:
-    all_sizes = np.zeros(len(design.projection))
-    for group, size in sizes.items():
-        all_sizes[design.columns[group]] = size
-    for block in design.blocks:
-        own, gram = all_sizes[block.columns], block.gram
-        power = float(own @ gram[:-1, :-1] @ own)
-        left = power + float(gram[-1, -1] - 2 * own @ gram[:-1, -1]) - block.rows
-        yield (block.test, block.channel), power, max(left + 2 * math.sqrt(2 * block.rows), 0.0)
+def measure_power(design: Design, group: Group, size: Array) -> float:
+    """Chi-square of what a group of this size makes in all tests."""
+    own = design.columns[group]
+    unit = size * design.norms[own]
+    return float(unit @ design.gram[np.ix_(own, own)] @ unit)
 
 
 def compute_excess_power(

@@ -1,8 +1,8 @@
-"""Parameters that are known within a tolerance, integrated out of the normal equations.
+"""What is known within a tolerance, integrated out of the normal equations.
 
 Every nominal value is a little wrong, and so is every bench. Such a parameter has a normal prior
 about its told value, with its tolerance as the standard deviation. It takes part in every
-hypothesis (docs/methods/effects.md, Eqs. 10 to 12).
+hypothesis (docs/methods/effects.md, Eqs. 10 to 12). So has the form of a cause without a name.
 """
 
 from collections.abc import Mapping, Sequence
@@ -16,6 +16,7 @@ from scipy.linalg import cho_factor, cho_solve
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Design, Group, Sizes
+from pyhrg.gap.effects.form import Form
 
 
 @dataclass(frozen=True)
@@ -23,17 +24,22 @@ class KnownParameters:
     """What the tests and the tolerances say of the known parameters, beside any set of groups.
 
     whole: normal equations with all columns.
-    tolerances: standard deviation of each component before the tests, SI.
+    tolerances: standard deviation of each component before the tests, SI; of parameters and forms.
     """
 
     whole: Design
-    tolerances: Mapping[Effect, float]
+    tolerances: Mapping[Effect | Form, float]
 
-    @cached_property
+    @property
     def effects(self) -> tuple[Effect, ...]:
         """Known parameters that the tests see."""
+        return tuple(group for group in self._groups if isinstance(group, Effect))
+
+    @cached_property
+    def _groups(self) -> tuple[Effect | Form, ...]:
+        """These, and the forms that the tests see."""
         seen = self.whole.groups
-        return tuple(effect for effect in self.tolerances if effect in seen)
+        return tuple(group for group in self.tolerances if group in seen)
 
     @cached_property
     def marginal(self) -> Design:
@@ -56,8 +62,8 @@ class KnownParameters:
             log_volume=self._log_volume,
         )
 
-    def estimate(self, sizes: Sizes) -> dict[Effect, Array]:
-        """(d,) most probable departure of each known parameter beside groups of these sizes, SI."""
+    def estimate(self, sizes: Sizes) -> dict[Effect | Form, Array]:
+        """(d,) most probable departure of each of these beside groups of these sizes, SI."""
         whole, projection = self.whole, self.whole.projection[self._known]
         for group, size in sizes.items():
             own = whole.columns[group]
@@ -65,23 +71,23 @@ class KnownParameters:
             projection = projection - whole.gram[np.ix_(self._known, own)] @ unit
         values = self._solve(projection) / whole.norms[self._known]
         return {
-            e: values[end - e.size : end] for e, end in zip(self.effects, self._ends, strict=True)
+            g: values[end - g.size : end] for g, end in zip(self._groups, self._ends, strict=True)
         }
 
-    def compute_covariances(self, groups: Sequence[Group]) -> dict[Effect, Array]:
-        """(d, d) covariance of each known parameter beside fitted groups, SI."""
+    def compute_covariances(self, groups: Sequence[Group]) -> dict[Effect | Form, Array]:
+        """(d, d) covariance of each of these beside fitted groups, SI."""
         whole, count = self.whole, len(self._known)
         where = np.concatenate([self._known, *(whole.columns[group] for group in groups)])
         information = whole.gram[np.ix_(where, where)].copy()
         information[:count, :count] += np.diag(1 / self._prior_variance)
         scale = 1 / whole.norms[self._known]
         total = np.linalg.inv(information)[:count, :count] * np.outer(scale, scale)
-        parts = [slice(end - e.size, end) for e, end in zip(self.effects, self._ends, strict=True)]
-        return {e: total[part, part] for e, part in zip(self.effects, parts, strict=True)}
+        parts = [slice(end - g.size, end) for g, end in zip(self._groups, self._ends, strict=True)]
+        return {g: total[part, part] for g, part in zip(self._groups, parts, strict=True)}
 
     @cached_property
     def _known(self) -> NDArray[np.int64]:
-        columns = [self.whole.columns[effect] for effect in self.effects]
+        columns = [self.whole.columns[group] for group in self._groups]
         return np.concatenate([np.empty(0, np.int64), *columns])
 
     @cached_property
@@ -91,12 +97,12 @@ class KnownParameters:
 
     @cached_property
     def _ends(self) -> NDArray[np.int64]:
-        return np.cumsum([effect.size for effect in self.effects], dtype=np.int64)
+        return np.cumsum([group.size for group in self._groups], dtype=np.int64)
 
     @cached_property
     def _prior_variance(self) -> Array:
         """Variance before the tests, in units of the design's columns."""
-        sigmas = [np.full(effect.size, self.tolerances[effect]) for effect in self.effects]
+        sigmas = [np.full(group.size, self.tolerances[group]) for group in self._groups]
         return np.asarray((np.concatenate([[], *sigmas]) * self.whole.norms[self._known]) ** 2)
 
     @cached_property
@@ -110,6 +116,6 @@ class KnownParameters:
         return float(2 * np.log(diagonal).sum() + np.log(self._prior_variance).sum())
 
     def _solve(self, values: Array) -> Array:
-        if not self.effects:
+        if not self._groups:
             return np.zeros_like(values)
         return np.asarray(cho_solve(self._factor, values))

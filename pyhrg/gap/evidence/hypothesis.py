@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from types import MappingProxyType
 
 import numpy as np
 
@@ -20,6 +21,7 @@ from pyhrg.gap.effects.design import (
     compute_excess_power,
     discount_model_error,
 )
+from pyhrg.gap.effects.form import Form
 from pyhrg.gap.effects.known_parameters import KnownParameters
 from pyhrg.gap.evidence.evidence import Fit
 from pyhrg.gap.evidence.jump_search import find_jumps, find_steps
@@ -32,11 +34,6 @@ from pyhrg.gap.whitening.channel_noise import CampaignNoise, estimate_campaign_n
 MODEL_ERROR_POWER = 1e-10
 """Share of the power of a channel's response in a test that the simulation may get wrong (Eq. (9)).
 Derived: two simulators of the same physics, written independently, agree to 1e-5 of a response."""
-
-
-TermError = Mapping[TestChannel, float]
-"""Chi-square that candidate terms may get wrong in a channel of a test (Eq. (10a)); 0 elsewhere."""
-NO_ERROR: TermError = {}
 SIGNIFICANT_SIGMA = 3.0
 """Departure of a known parameter, in its standard deviation, above which it counts as off. Chosen:
 with 15 parameters that are right, one campaign in 25 has a false departure."""
@@ -47,7 +44,8 @@ class Hypothesis:
     """A noise of the output angle, and the sets of effects ranked under it.
 
     channel_noise: noise of all channels.
-    known: normal equations, whitened with it, and the parameters that are known within a tolerance.
+    known: normal equations, whitened with it, and what is known within a tolerance: parameters, and
+        the forms of terms.
     exact: the same without the linearization error, which measures distances.
     """
 
@@ -62,15 +60,31 @@ class Hypothesis:
         """Normal equations of effects and candidate terms, known parameters integrated out."""
         return self.exact.marginal
 
+    @property
+    def forms(self) -> dict[Form, float]:
+        """Standard deviations of the forms that terms may have."""
+        return {g: sigma for g, sigma in self.known.tolerances.items() if isinstance(g, Form)}
+
     @cached_property
-    def known_sizes(self) -> dict[Effect, Array]:
-        """(d,) departure of each known parameter beside the most probable set, SI."""
+    def _known_sizes(self) -> dict[Effect | Form, Array]:
+        """(d,) departure of all that is known within a tolerance beside the most probable set."""
         return self.known.estimate(self.ranking.best.sizes)
 
     @property
+    def known_sizes(self) -> dict[Effect, Array]:
+        """(d,) departure of each known parameter beside the most probable set, SI."""
+        return {g: size for g, size in self._known_sizes.items() if isinstance(g, Effect)}
+
+    def estimate_alone(self) -> dict[Effect, Array]:
+        """(d,) departure of each known parameter beside the empty set, SI."""
+        alone = self.known.estimate({})
+        return {g: size for g, size in alone.items() if isinstance(g, Effect)}
+
+    @property
     def sizes(self) -> dict[Group, Array]:
-        """Sizes of the most probable set, and departures of the known parameters beside it."""
-        return {**self.ranking.best.sizes, **dict[Group, Array](self.known_sizes.items())}
+        """Sizes of the most probable set, and departures of the known parameters and of the terms'
+        forms beside it."""
+        return {**self.ranking.best.sizes, **dict[Group, Array](self._known_sizes.items())}
 
     @property
     def effect_sizes(self) -> dict[Effect, Array]:
@@ -162,22 +176,21 @@ def rank_under_noise(
     nominal: Device,
     parts: Sequence[LinearTest],
     linearization_error: float = 0.0,
-    term_error: TermError = NO_ERROR,
     start: Collection[Group] = (),
+    forms: Mapping[Form, float] = MappingProxyType({}),
 ) -> Hypothesis:
     """Rank sets of effects and candidate terms under one noise of the output angle.
 
     The linearization error is the chi-square that the linear model may get wrong in each channel of
     each test (Eq. (10)). Only where it is negligible, jumps and steps that stand out of the
     residual are ranked too, and infeasible sizes are refused. The search may start from the set
-    that is the most probable under another noise.
+    that is the most probable under another noise. Forms have their standard deviations.
     """
     nominal_noise = estimate_nominal_noise(nominal, parts)
-    response = model_error_power(compute_excess_power(parts, nominal_noise))
-    model_error = {w: power + term_error.get(w, 0.0) for w, power in response.items()}
+    model_error = model_error_power(compute_excess_power(parts, nominal_noise))
     channel_noise = replace(nominal_noise, angle=noise.noise)
-    exact = build_design(parts, channel_noise)
-    tolerances = _list_tolerances(nominal, parts)
+    exact = build_design(parts, channel_noise, forms=forms)
+    tolerances = {**_list_tolerances(nominal, parts), **forms}
     known = KnownParameters(discount_model_error(exact, model_error), tolerances)
     if linearization_error:
         error = {where: linearization_error + power for where, power in model_error.items()}
@@ -192,7 +205,8 @@ def rank_under_noise(
     ]
     quantum, _ = find_quantization_step([part.test for part in parts]) or (0.0, 0.0)
     if jumps := {jump for r in residuals for jump in (*find_jumps(r), *find_steps(r, quantum))}:
-        exact = build_design(parts, channel_noise, sorted(jumps, key=lambda jump: jump.words))
+        ordered = sorted(jumps, key=lambda jump: jump.words)
+        exact = build_design(parts, channel_noise, ordered, forms)
         known = KnownParameters(discount_model_error(exact, model_error), tolerances)
         ranking = rank_sets(known.marginal, is_feasible, ranking.best.groups)
         hypothesis = Hypothesis(noise, channel_noise, known, ranking, known)

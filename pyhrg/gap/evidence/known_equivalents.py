@@ -72,7 +72,7 @@ def _find_beyond(known: KnownParameters, fitted: Fit) -> set[Effect]:
     sizes, covariances = known.estimate(fitted.sizes), known.compute_covariances(fitted.groups)
     return {
         effect
-        for effect, size in sizes.items()
+        for effect, size in ((e, sizes[e]) for e in known.effects)
         if float(np.linalg.norm(size)) - known.tolerances[effect]
         > NORMAL_95 * sigma_along(size, covariances[effect])
     }

@@ -20,8 +20,7 @@ from pyhrg.gap.effects.design import LinearTest, whiten_rows
 from pyhrg.gap.effects.sensitivities import linearize_test
 from pyhrg.gap.effects.term_columns import compute_response
 from pyhrg.gap.evidence.attribution import Attribution
-from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2, rank_with_form_error
-from pyhrg.gap.evidence.hypothesis import rank_under_noise
+from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2, rank_with_forms
 from pyhrg.gap.evidence.posterior import Posterior, compare_noises
 from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels, replay_sampled
@@ -97,9 +96,8 @@ def _search_around(
 ) -> Attribution:
     """The search with newly linearized tests."""
     nominal, best = attribution.nominal, attribution.posterior.best
-    known = rank_under_noise(best.noise, nominal, parts, start=best.ranking.best.groups)
-    first, error = rank_with_form_error(known, nominal, parts)
-    posterior = compare_noises(first, nominal, parts, noises, error)
+    first = rank_with_forms(best.noise, nominal, parts, best)
+    posterior = compare_noises(first, nominal, parts, noises)
     return replace(attribution, parts=parts, posterior=posterior)
 
 

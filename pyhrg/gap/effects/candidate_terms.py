@@ -69,6 +69,11 @@ class CandidateTerm:
         return f"{self.function} ({self.channel})"
 
     @property
+    def family(self) -> tuple[str, str, str]:
+        """Channel, place and coordinate. Terms of one family may stand for one cause."""
+        return self.channel, self.function.rpartition(": ")[0], self.coordinate
+
+    @property
     def is_curved(self) -> bool:
         """Whether the response is linear only where it is small. That to an encoder's error is: the
         pattern is where the gyro reads it."""

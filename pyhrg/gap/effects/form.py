@@ -1,10 +1,10 @@
-"""Forms: what a candidate term may miss of a cause that has another form than it has.
+"""Forms: functions by which a cause without a name may differ from the terms that stand for it.
 
-The cause is taken to act at the term's place as another function of what the term follows
-(docs/methods/evidence.md, Eq. 10a).
+It is taken to act at the same place and to follow the same coordinate (docs/methods/evidence.md,
+Eq. 10a).
 """
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,23 +14,22 @@ from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, Coordinates
 from pyhrg.gap.effects.term_columns import generate_terms
 
-MULTIPLES = (2, 3, 4, 5)
-"""Multiples of a term's harmonic, or degrees of polynomials of its function, that a form has.
-Chosen: a triangular wave has 97 % of what no sine has in its third and fifth."""
+DEGREES = range(2, 8)
+"""Multiples of a harmonic, and degrees of polynomials of another function, that a cause may have
+beside it. Chosen."""
 
 
 @dataclass(frozen=True)
 class Form:
-    """A multiple of a term's harmonic; of a term without one, a Chebyshev polynomial of its
-    function, which is the same over an angle whose cosine that function is.
+    """A candidate term's function, or from degree 2 on a multiple of its harmonic; of one without
+    a harmonic, a Chebyshev polynomial, which is the same over an angle whose cosine it is.
 
-    multiple: of the harmonic, or degree of the polynomial.
     largest: magnitude of the function in the campaign.
     size: number of columns.
     """
 
     term: CandidateTerm
-    multiple: int
+    degree: int
     largest: float
     size: int
 
@@ -38,11 +37,14 @@ class Form:
     fault = None
 
     def bend(self, block: Array) -> Array:
-        """(n, d) values of this form in the unit of the term's own (n, d) values."""
+        """(n, d) values of up to about 1, from the (n, d) values of the term's functions."""
+        values = block / self.largest
+        if self.degree == 1:
+            return np.asarray(values)
         if self.size == 1:
-            series = chebyshev.Chebyshev.basis(self.multiple)
-            return np.asarray(self.largest * (series(block / self.largest) - series(0.0)))
-        length, angle = np.hypot(*block.T), self.multiple * np.arctan2(block[:, 1], block[:, 0])
+            polynomial = chebyshev.Chebyshev.basis(self.degree)
+            return np.asarray(polynomial(values) - polynomial(0.0))
+        length, angle = np.hypot(*values.T), self.degree * np.arctan2(values[:, 1], values[:, 0])
         return np.column_stack([length * np.cos(angle), length * np.sin(angle)])
 
 
@@ -60,8 +62,24 @@ def build_form_columns(
     ]
 
 
-def list_forms_of(term: CandidateTerm, tests: Sequence[Coordinates]) -> list[Form]:
-    """Forms of a term in a campaign."""
-    blocks = [b for where in tests for t, b, _ in generate_terms(where, term.channel) if t == term]
-    largest = max(float(np.abs(block).max()) for block in blocks)
-    return [Form(term, k, largest, blocks[0].shape[1]) for k in MULTIPLES if largest]
+def find_forms(
+    sizes: Mapping[CandidateTerm, Array], tests: Sequence[Coordinates]
+) -> dict[Form, float]:
+    """Forms of a cause for which terms of one family, of these (d,) sizes, stand; each with the
+    magnitude of the cause."""
+    first = next(iter(sizes))
+    blocks: dict[CandidateTerm, list[Array]] = {}
+    for where in tests:
+        for term, block, _ in generate_terms(where, first.channel):
+            if term.family == first.family and not term.is_of_each_power_on:
+                blocks.setdefault(term, []).append(block)
+    shapes = zip(*([b @ size for b in blocks[term]] for term, size in sizes.items()), strict=True)
+    magnitude = max(float(np.abs(sum(own)).max()) for own in shapes)
+    forms = [
+        Form(term, degree, largest, own[0].shape[1])
+        for term, own in blocks.items()
+        if (largest := max(float(np.abs(block).max()) for block in own))
+        for degree in (1, *(DEGREES if term in sizes else ()))
+        if degree > 1 or list(sizes) != [term]
+    ]
+    return dict.fromkeys(forms, magnitude)

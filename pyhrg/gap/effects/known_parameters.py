@@ -18,6 +18,9 @@ from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Design, Group, Sizes
 from pyhrg.gap.effects.form import Form
 
+SMALLEST_SHARE = 1e-12
+"""Share of a column that counts as nothing left. Chosen: rounding of the normal equations."""
+
 
 @dataclass(frozen=True)
 class KnownParameters:
@@ -52,12 +55,14 @@ class KnownParameters:
         own = self._solve(whole.projection[known])
         places = np.full(len(whole.projection), -1)
         places[others] = np.arange(len(others))
+        scale = 1 / np.sqrt(self._left_by_forms)
+        gram = whole.gram[np.ix_(others, others)] - cross.T @ gain
         return replace(
             whole,
-            gram=whole.gram[np.ix_(others, others)] - cross.T @ gain,
-            projection=whole.projection[others] - cross.T @ own,
+            gram=gram * np.outer(scale, scale),
+            projection=(whole.projection[others] - cross.T @ own) * scale,
             power=whole.power - float(whole.projection[known] @ own),
-            norms=whole.norms[others],
+            norms=whole.norms[others] / scale,
             columns={g: places[c] for g, c in whole.columns.items() if g not in self.tolerances},
             log_volume=self._log_volume,
         )
@@ -109,6 +114,18 @@ class KnownParameters:
     def _factor(self) -> tuple[Array, bool]:
         gram = self.whole.gram[np.ix_(self._known, self._known)]
         return cho_factor(gram + np.diag(1 / self._prior_variance))
+
+    @property
+    def _left_by_forms(self) -> Array:
+        """Share of the power of each other group's columns that the forms leave: they count as
+        noise, with which columns are whitened too."""
+        forms = [g for g in self._groups if isinstance(g, Form)]
+        of_forms = np.concatenate([np.empty(0, np.int64), *(self.whole.columns[f] for f in forms)])
+        own = np.isin(self._known, of_forms)
+        cross = self.whole.gram[np.ix_(self._known[own], self._others)]
+        gram = self.whole.gram[np.ix_(self._known[own], self._known[own])]
+        gain = np.linalg.solve(gram + np.diag(1 / self._prior_variance[own]), cross)
+        return np.asarray(np.maximum(1 - (cross * gain).sum(axis=0), SMALLEST_SHARE))
 
     @property
     def _log_volume(self) -> float:

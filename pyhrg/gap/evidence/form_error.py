@@ -6,19 +6,17 @@ have in truth (docs/methods/evidence.md, Eq. 10a).
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.design import LinearTest, measure_power
-from pyhrg.gap.effects.form import Form, list_forms_of
+from pyhrg.gap.effects.form import Form, find_forms
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.evidence.hypothesis import Hypothesis, rank_under_noise
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 
 FORM_ERROR = 0.03
-"""Standard deviation of each coefficient of a term's form, over the size of the term. Chosen."""
+"""Standard deviation of each form's size, over the magnitude of the cause. Chosen."""
 NEGLIGIBLE_CHI2 = 1.0
 """Error, as chi-square, that counts as zero: the power of a row's noise. Chosen."""
 
@@ -33,25 +31,29 @@ def rank_with_forms(
     stay. Where they come back instead, the most probable hypothesis is kept. The search may start
     from a hypothesis."""
     ranked: dict[frozenset[CandidateTerm], Hypothesis] = {}
-    forms = start.forms if start else {}
-    known = start.ranking.best.groups if start else ()
-    while (terms := frozenset(form.term for form in forms)) not in ranked:
+    terms = frozenset(list_large_terms(start) if start else ())
+    forms, known = (start.forms, start.ranking.best.groups) if start else ({}, ())
+    while terms not in ranked:
         hypothesis = rank_under_noise(noise, nominal, parts, start=known, forms=forms)
         ranked[terms] = hypothesis
-        known, forms = hypothesis.ranking.best.groups, _allow_forms(hypothesis, parts)
+        terms, known = frozenset(list_large_terms(hypothesis)), hypothesis.ranking.best.groups
+        forms = _allow_forms(hypothesis, parts)
     if ranked[terms] is hypothesis:
         return hypothesis
     return max(ranked.values(), key=lambda h: h.log_posterior)
 
 
 def _allow_forms(hypothesis: Hypothesis, parts: Sequence[LinearTest]) -> dict[Form, float]:
-    """Forms of the terms of the most probable set whose error is not negligible, with the standard
-    deviation of their sizes."""
+    """Forms of the causes for which large terms stand, with the standard deviations of their
+    sizes."""
+    by_family: dict[tuple[str, str, str], dict[CandidateTerm, Array]] = {}
+    for term, size in list_large_terms(hypothesis).items():
+        by_family.setdefault(term.family, {})[term] = size
     tests = [part.where for part in parts]
     return {
-        form: FORM_ERROR * float(np.linalg.norm(size))
-        for term, size in list_large_terms(hypothesis).items()
-        for form in list_forms_of(term, tests)
+        form: FORM_ERROR * magnitude
+        for sizes in by_family.values()
+        for form, magnitude in find_forms(sizes, tests).items()
     }
 
 

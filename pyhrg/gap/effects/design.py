@@ -1,7 +1,7 @@
 """Normal equations of a campaign: residuals, sensitivities and candidate terms, whitened."""
 
-from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Collection, Hashable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -11,7 +11,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, Coordinates
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.form import Form, build_form_columns
+from pyhrg.gap.effects.form import Form, build_form_columns, build_reading_columns
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
@@ -93,6 +93,20 @@ class Design:
 
 
 @dataclass(frozen=True)
+class WhitenedTerms:
+    """Products of a channel's columns in a test, whitened.
+
+    sizes: number of columns of each candidate term, jump and form, in their order, after those of
+        the effects.
+    gram: (q, q) products; the residual is last.
+    """
+
+    sizes: Mapping[Group, int]
+    gram: Array
+    log_determinant: float
+
+
+@dataclass(frozen=True)
 class LinearTest:
     """One test linearized around a simulated device.
 
@@ -103,6 +117,7 @@ class LinearTest:
     where: coordinates of the rows.
     slopes: (n,) by channel: derivative of a channel by the pattern angle, per rad.
     bryan_factor: of the nominal device.
+    kept: last products of a channel, with what they were computed for.
     """
 
     test: ObservedTest
@@ -113,6 +128,9 @@ class LinearTest:
     where: Coordinates
     slopes: Mapping[str, Array]
     bryan_factor: float
+    kept: dict[str, tuple[Hashable, WhitenedTerms]] = field(
+        default_factory=dict, init=False, compare=False, repr=False
+    )
 
     def responses(self, channel: str, outputs: Sequence[Jump] = ()) -> Array:
         """(n, p + 1) sensitivities to all effects, steps of the output alone, and the residual."""
@@ -156,36 +174,43 @@ def build_design(
     parts: Sequence[LinearTest],
     noise: CampaignNoise,
     jumps: Sequence[Jump] = (),
-    forms: Collection[Form] = (),
+    forms: Collection[CandidateTerm | Form] = (),
 ) -> Design:
     """Whiten all series of linearized tests and sum up the normal equations
     (docs/methods/effects.md, Eqs. 7 and 8). Jumps are candidates in addition to effects and
-    candidate terms; forms are what the terms may miss."""
+    candidate terms. Forms are what large terms may miss; these terms and forms act in other
+    channels too where they make the pattern be read at a wrong angle."""
     effects = list(parts[0].sensitivities)
     columns: dict[Group, NDArray[np.int64]] = {}
     outputs = [jump for jump in jumps if jump.kind == "output"]
+    others = [jump for jump in jumps if jump.kind != "output"]
     sizes = [*(effect.size for effect in effects), *(len(jump.times) for jump in outputs)]
     count = _assign_columns(columns, [*effects, *outputs], sizes, 0)
     blocks = []
     shared = np.arange(count)
     for channel in CHANNELS:
         for index, part in enumerate(parts):
-            candidates: list[tuple[Group, Array]] = [
-                *build_term_columns(part.where, channel),
-                *build_form_columns(part.where, channel, forms),
-            ]
-            if channel == "gyro_angle":
-                candidates += [(j, j.columns(part.where)) for j in jumps if j not in outputs]
-            terms, values = zip(*candidates, strict=True)
+            white = _whiten_terms(part, channel, outputs, others, forms, noise)
             if index == 0:
                 sizes = [
-                    len(parts) if term.is_of_each_power_on else block.shape[1]
-                    for term, block in zip(terms, values, strict=True)
+                    len(parts) if term.is_of_each_power_on else size
+                    for term, size in white.sizes.items()
                 ]
-                count = _assign_columns(columns, terms, sizes, count)
-            own = [columns[t][[index]] if t.is_of_each_power_on else columns[t] for t in terms]
+                count = _assign_columns(columns, list(white.sizes), sizes, count)
+            own = [
+                columns[t][[index]] if t.is_of_each_power_on else columns[t] for t in white.sizes
+            ]
             indices = np.concatenate([shared, *own])
-            blocks.append(_build_block(part, channel, indices, outputs, values, noise))
+            blocks.append(
+                Block(
+                    part.test.test.id,
+                    channel,
+                    indices,
+                    white.gram,
+                    int(part.test.rows[channel].sum()),
+                    white.log_determinant,
+                )
+            )
     return _assemble(columns, blocks)
 
 
@@ -204,23 +229,41 @@ def _assign_columns(
     return count
 
 
-def _build_block(
+def _whiten_terms(
     part: LinearTest,
     channel: str,
-    columns: NDArray[np.int64],
     outputs: Sequence[Jump],
-    terms: Sequence[Array],
+    jumps: Sequence[Jump],
+    forms: Collection[CandidateTerm | Form],
     noise: CampaignNoise,
-) -> Block:
-    rows = part.test.rows[channel]
+) -> WhitenedTerms:
+    """Products of a channel's columns. Those of the last noise and forms are kept: designs under
+    different noises of the output angle share the other channels."""
+    key = (noise.get_own_model(channel, part.test), tuple(outputs), tuple(forms))
+    kept = part.kept.get(channel)
+    if channel != "gyro_angle" and kept and kept[0] == key:
+        return kept[1]
+    candidates: list[tuple[Group, Array]] = [
+        *build_term_columns(part.where, channel),
+        *build_form_columns(part.where, channel, [f for f in forms if isinstance(f, Form)]),
+    ]
+    if channel == "gyro_angle":
+        candidates += [(jump, jump.columns(part.where)) for jump in jumps]
+    else:
+        candidates += [
+            (group, part.at_measured_angle(np.zeros_like(values), values, channel))
+            for group, values in build_reading_columns(part.where, forms)
+        ]
     responses = part.at_measured_angle(
         part.responses(channel, outputs), part.responses("gyro_angle", outputs), channel
     )
-    series = np.column_stack([responses[:, :-1], *terms, responses[:, -1]])
-    white = whiten_rows(part, channel, series, noise)
-    gram = white.series.T @ white.series
-    name = part.test.test.id
-    return Block(name, channel, columns, gram, int(rows.sum()), white.log_determinant)
+    series = [responses[:, :-1], *(values for _, values in candidates), responses[:, -1]]
+    white = whiten_rows(part, channel, np.column_stack(series), noise)
+    sizes = {term: values.shape[1] for term, values in candidates}
+    terms = WhitenedTerms(sizes, white.series.T @ white.series, white.log_determinant)
+    if channel != "gyro_angle":
+        part.kept[channel] = key, terms
+    return terms
 
 
 def whiten_rows(
@@ -259,11 +302,12 @@ def discount_model_error(design: Design, model_error: Mapping[TestChannel, float
     return _assemble(design.columns, blocks)
 
 
-def measure_power(design: Design, group: Group, size: Array) -> float:
-    """Chi-square of what a group of this size makes in all tests."""
-    own = design.columns[group]
-    unit = size * design.norms[own]
-    return float(unit @ design.gram[np.ix_(own, own)] @ unit)
+def measure_power(design: Design, sizes: Mapping[CandidateTerm, Array]) -> float:
+    """Chi-square of what groups of these sizes make in all tests."""
+    unit = np.zeros(len(design.norms))
+    for group, size in sizes.items():
+        unit[design.columns[group]] = size * design.norms[design.columns[group]]
+    return float(unit @ design.gram @ unit)
 
 
 def compute_excess_power(

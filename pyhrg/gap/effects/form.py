@@ -4,7 +4,7 @@ It is taken to act at the same place and to follow the same coordinate (docs/met
 Eq. 10a).
 """
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,9 +14,11 @@ from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, Coordinates
 from pyhrg.gap.effects.term_columns import generate_terms
 
+MULTIPLES = range(2, 16)
+"""Multiples of a term's harmonic that a cause may have beside it. Chosen: a triangular wave has
+multiples of one over their square."""
 DEGREES = range(2, 8)
-"""Multiples of a harmonic, and degrees of polynomials of another function, that a cause may have
-beside it. Chosen."""
+"""Degrees of the polynomials of other functions. Chosen."""
 
 
 @dataclass(frozen=True)
@@ -62,6 +64,23 @@ def build_form_columns(
     ]
 
 
+def build_reading_columns(
+    where: Coordinates, groups: Collection[CandidateTerm | Form]
+) -> list[tuple[CandidateTerm | Form, Array]]:
+    """Of those of these terms and forms that make the pattern be read at a wrong angle, this error
+    of the output angle, (n, d) each."""
+    wanted: dict[CandidateTerm, list[CandidateTerm | Form]] = {}
+    for group in groups:
+        term = group.term if isinstance(group, Form) else group
+        if term.is_reading_error:
+            wanted.setdefault(term, []).append(group)
+    return [
+        (group, group.bend(block) if isinstance(group, Form) else block)
+        for term, block, _ in (generate_terms(where, "gyro_angle") if wanted else ())
+        for group in wanted.get(term, ())
+    ]
+
+
 def find_forms(
     sizes: Mapping[CandidateTerm, Array], tests: Sequence[Coordinates]
 ) -> dict[Form, float]:
@@ -79,7 +98,14 @@ def find_forms(
         Form(term, degree, largest, own[0].shape[1])
         for term, own in blocks.items()
         if (largest := max(float(np.abs(block).max()) for block in own))
-        for degree in (1, *(DEGREES if term in sizes else ()))
+        for degree in (1, *_list_degrees(term, term in sizes))
         if degree > 1 or list(sizes) != [term]
     ]
     return dict.fromkeys(forms, magnitude)
+
+
+def _list_degrees(term: CandidateTerm, stands_for_it: bool) -> Iterable[int]:
+    """Degrees beside 1 of the forms from one term of the cause's family."""
+    if term.harmonic is None:
+        return DEGREES
+    return MULTIPLES if term.harmonic and stands_for_it else ()

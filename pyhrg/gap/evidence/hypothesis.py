@@ -4,7 +4,6 @@ import math
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from types import MappingProxyType
 
 import numpy as np
 
@@ -34,6 +33,23 @@ from pyhrg.gap.whitening.channel_noise import CampaignNoise, estimate_campaign_n
 MODEL_ERROR_POWER = 1e-10
 """Share of the power of a channel's response in a test that the simulation may get wrong (Eq. (9)).
 Derived: two simulators of the same physics, written independently, agree to 1e-5 of a response."""
+
+
+@dataclass(frozen=True)
+class FormError:
+    """Forms that causes may have for which terms stand, with the standard deviations of their
+    sizes, and these terms (Eq. (10a))."""
+
+    sigmas: Mapping[Form, float]
+    terms: tuple[CandidateTerm, ...]
+
+    @property
+    def groups(self) -> tuple[CandidateTerm | Form, ...]:
+        """The terms and their forms."""
+        return *self.terms, *self.sigmas
+
+
+NO_ERROR = FormError({}, ())
 SIGNIFICANT_SIGMA = 3.0
 """Departure of a known parameter, in its standard deviation, above which it counts as off. Chosen:
 with 15 parameters that are right, one campaign in 25 has a false departure."""
@@ -47,6 +63,7 @@ class Hypothesis:
     known: normal equations, whitened with it, and what is known within a tolerance: parameters, and
         the forms of terms.
     exact: the same without the linearization error, which measures distances.
+    forms: of the terms of the most probable set.
     """
 
     noise: NoiseHypothesis
@@ -54,37 +71,23 @@ class Hypothesis:
     known: KnownParameters
     ranking: Ranking
     exact: KnownParameters
+    forms: FormError = NO_ERROR
 
     @property
     def design(self) -> Design:
         """Normal equations of effects and candidate terms, known parameters integrated out."""
         return self.exact.marginal
 
-    @property
-    def forms(self) -> dict[Form, float]:
-        """Standard deviations of the forms that terms may have."""
-        return {g: sigma for g, sigma in self.known.tolerances.items() if isinstance(g, Form)}
-
     @cached_property
-    def _known_sizes(self) -> dict[Effect | Form, Array]:
-        """(d,) departure of all that is known within a tolerance beside the most probable set."""
-        return self.known.estimate(self.ranking.best.sizes)
-
-    @property
     def known_sizes(self) -> dict[Effect, Array]:
         """(d,) departure of each known parameter beside the most probable set, SI."""
-        return {g: size for g, size in self._known_sizes.items() if isinstance(g, Effect)}
-
-    def estimate_alone(self) -> dict[Effect, Array]:
-        """(d,) departure of each known parameter beside the empty set, SI."""
-        alone = self.known.estimate({})
-        return {g: size for g, size in alone.items() if isinstance(g, Effect)}
+        return self.known.estimate(self.ranking.best.sizes)
 
     @property
     def sizes(self) -> dict[Group, Array]:
         """Sizes of the most probable set, and departures of the known parameters and of the terms'
         forms beside it."""
-        return {**self.ranking.best.sizes, **dict[Group, Array](self._known_sizes.items())}
+        return self.known.complete(self.ranking.best.sizes)
 
     @property
     def effect_sizes(self) -> dict[Effect, Array]:
@@ -177,28 +180,28 @@ def rank_under_noise(
     parts: Sequence[LinearTest],
     linearization_error: float = 0.0,
     start: Collection[Group] = (),
-    forms: Mapping[Form, float] = MappingProxyType({}),
+    forms: FormError = NO_ERROR,
 ) -> Hypothesis:
     """Rank sets of effects and candidate terms under one noise of the output angle.
 
     The linearization error is the chi-square that the linear model may get wrong in each channel of
     each test (Eq. (10)). Only where it is negligible, jumps and steps that stand out of the
     residual are ranked too, and infeasible sizes are refused. The search may start from the set
-    that is the most probable under another noise. Forms have their standard deviations.
+    that is the most probable under another noise.
     """
     nominal_noise = estimate_nominal_noise(nominal, parts)
     model_error = model_error_power(compute_excess_power(parts, nominal_noise))
     channel_noise = replace(nominal_noise, angle=noise.noise)
-    exact = build_design(parts, channel_noise, forms=forms)
-    tolerances = {**_list_tolerances(nominal, parts), **forms}
-    known = KnownParameters(discount_model_error(exact, model_error), tolerances)
+    exact = build_design(parts, channel_noise, forms=forms.groups)
+    tolerances = {**_list_tolerances(nominal, parts), **forms.sigmas}
+    known = KnownParameters(discount_model_error(exact, model_error), tolerances, forms.terms)
     if linearization_error:
         error = {where: linearization_error + power for where, power in model_error.items()}
         rough = KnownParameters(discount_model_error(exact, error), tolerances)
         return Hypothesis(noise, channel_noise, rough, rank_sets(rough.marginal), known)
     is_feasible = make_feasibility_check(nominal, parts[0].sensitivities)
     ranking = rank_sets(known.marginal, is_feasible, start)
-    hypothesis = Hypothesis(noise, channel_noise, known, ranking, known)
+    hypothesis = Hypothesis(noise, channel_noise, known, ranking, known, forms)
     removed = distinct_by_groups(hypothesis.sizes, hypothesis.effect_sizes)
     residuals = [
         compute_residuals(parts, r, channel_noise, nominal, ("gyro_angle",)) for r in removed
@@ -206,10 +209,10 @@ def rank_under_noise(
     quantum, _ = find_quantization_step([part.test for part in parts]) or (0.0, 0.0)
     if jumps := {jump for r in residuals for jump in (*find_jumps(r), *find_steps(r, quantum))}:
         ordered = sorted(jumps, key=lambda jump: jump.words)
-        exact = build_design(parts, channel_noise, ordered, forms)
-        known = KnownParameters(discount_model_error(exact, model_error), tolerances)
+        exact = build_design(parts, channel_noise, ordered, forms.groups)
+        known = KnownParameters(discount_model_error(exact, model_error), tolerances, forms.terms)
         ranking = rank_sets(known.marginal, is_feasible, ranking.best.groups)
-        hypothesis = Hypothesis(noise, channel_noise, known, ranking, known)
+        hypothesis = Hypothesis(noise, channel_noise, known, ranking, known, forms)
     return hypothesis
 
 

@@ -7,6 +7,7 @@ classes").
 
 import math
 from collections.abc import Collection, Iterable
+from dataclasses import replace
 
 import numpy as np
 
@@ -54,7 +55,7 @@ def _score_set(
     within it may have any size, the others have their tolerances; only the allowed ones may be
     beyond. Minus infinity where they are, the sizes can't be told apart, or no gyro has them."""
     tolerances = {e: size for e, size in known.tolerances.items() if e not in groups}
-    beside = KnownParameters(known.whole, tolerances)
+    beside = replace(known, tolerances=tolerances)
     design = beside.marginal
     if not set(groups) <= set(design.groups):
         return -math.inf

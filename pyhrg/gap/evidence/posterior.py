@@ -113,7 +113,7 @@ def compare_noises(
 
     while True:
         is_evident = best.ranking.best.explained >= EVIDENT_CHI2
-        nothing = [] if is_evident else [best.estimate_alone()]
+        nothing = [] if is_evident else [best.known.estimate({})]
         choices = distinct_by_groups(best.sizes, best.effect_sizes, *nothing)
         due = [removed for removed in choices if tuple(removed) not in tried]
         if not due:

@@ -22,7 +22,7 @@ DEGREES = range(2, 8)
 
 
 @dataclass(frozen=True)
-class Form:
+class Form(CandidateTerm):
     """A candidate term's function, or from degree 2 on a multiple of its harmonic; of one without
     a harmonic, a Chebyshev polynomial, which is the same over an angle whose cosine it is.
 
@@ -30,13 +30,14 @@ class Form:
     size: number of columns.
     """
 
-    term: CandidateTerm
-    degree: int
-    largest: float
-    size: int
+    degree: int = 1
+    largest: float = 1.0
+    size: int = 1
 
-    is_of_each_power_on = False
-    fault = None
+    @property
+    def term(self) -> CandidateTerm:
+        """The candidate term."""
+        return CandidateTerm(self.channel, self.coordinate, self.function, self.harmonic)
 
     def bend(self, block: Array) -> Array:
         """(n, d) values of up to about 1, from the (n, d) values of the term's functions."""
@@ -65,15 +66,14 @@ def build_form_columns(
 
 
 def build_reading_columns(
-    where: Coordinates, groups: Collection[CandidateTerm | Form]
-) -> list[tuple[CandidateTerm | Form, Array]]:
-    """Of those of these terms and forms that make the pattern be read at a wrong angle, this error
-    of the output angle, (n, d) each."""
-    wanted: dict[CandidateTerm, list[CandidateTerm | Form]] = {}
+    where: Coordinates, groups: Collection[CandidateTerm]
+) -> list[tuple[CandidateTerm, Array]]:
+    """Errors of the output angle, (n, d) each, of those terms and forms that make the pattern be
+    read at a wrong angle."""
+    wanted: dict[CandidateTerm, list[CandidateTerm]] = {}
     for group in groups:
-        term = group.term if isinstance(group, Form) else group
-        if term.is_reading_error:
-            wanted.setdefault(term, []).append(group)
+        if group.is_reading_error:
+            wanted.setdefault(group.term if isinstance(group, Form) else group, []).append(group)
     return [
         (group, group.bend(block) if isinstance(group, Form) else block)
         for term, block, _ in (generate_terms(where, "gyro_angle") if wanted else ())
@@ -95,7 +95,15 @@ def find_forms(
     shapes = zip(*([b @ size for b in blocks[term]] for term, size in sizes.items()), strict=True)
     magnitude = max(float(np.abs(sum(own)).max()) for own in shapes)
     forms = [
-        Form(term, degree, largest, own[0].shape[1])
+        Form(
+            term.channel,
+            term.coordinate,
+            term.function,
+            term.harmonic,
+            degree=degree,
+            largest=largest,
+            size=own[0].shape[1],
+        )
         for term, own in blocks.items()
         if (largest := max(float(np.abs(block).max()) for block in own))
         for degree in (1, *_list_degrees(term, term in sizes))

@@ -16,8 +16,9 @@ from scipy.linalg import cho_factor, cho_solve
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.design import Design, Group, Sizes
+from pyhrg.gap.effects.design import Design, Sizes
 from pyhrg.gap.effects.form import Form
+from pyhrg.gap.effects.linear_test import Group
 
 SMALLEST_SHARE = 1e-10
 """Share of a column that counts as nothing left. Chosen: rounding of the normal equations."""
@@ -94,7 +95,8 @@ class KnownParameters:
     def complete(self, sizes: Sizes) -> dict[Group, Array]:
         """Groups of these sizes, and all that is known within a tolerance beside them. What the
         terms explain of the forms is taken out of the terms' sizes."""
-        all_sizes: dict[Group, Array] = {**sizes, **self._estimate_all(sizes)}
+        all_sizes = dict(sizes)
+        all_sizes.update(self._estimate_all(sizes).items())
         norms, unit = self.whole.norms, np.zeros(len(self.whole.norms))
         for form in (group for group in self._groups if isinstance(group, Form)):
             own = self.whole.columns[form]
@@ -166,7 +168,7 @@ class KnownParameters:
         """(t, f) sizes with which the terms explain most of each form, in units of the columns."""
         gram = self.whole.gram
         cross = gram[np.ix_(self._of_terms, self._of_forms)]
-        return np.linalg.solve(gram[np.ix_(self._of_terms, self._of_terms)], cross)
+        return np.asarray(np.linalg.solve(gram[np.ix_(self._of_terms, self._of_terms)], cross))
 
     @property
     def _of_terms(self) -> NDArray[np.int64]:

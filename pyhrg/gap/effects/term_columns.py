@@ -36,8 +36,8 @@ def build_term_columns(where: Coordinates, channel: str) -> Columns:
 
 
 def generate_terms(where: Coordinates, channel: str) -> Iterator[PlacedTerm]:
-    """The same terms, with the values of their basis functions apart from what their place makes of
-    these."""
+    """Generate the same terms, with the values of their basis functions apart from what their place
+    makes of these."""
     if channel == "gyro_angle":
         yield from _generate_angle_terms(where)
     else:

@@ -14,7 +14,8 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue, Effect
-from pyhrg.gap.effects.design import Design, Group, LinearTest, compute_excess_power
+from pyhrg.gap.effects.design import Design, compute_excess_power
+from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.effects.sensitivities import compute_sensitivities, linearize_test
 from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2, list_large_terms, rank_with_forms
 from pyhrg.gap.evidence.hypothesis import (

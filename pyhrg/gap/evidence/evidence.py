@@ -18,7 +18,8 @@ from scipy.linalg.lapack import dpotrf, dpotrs
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.design import Design, Group
+from pyhrg.gap.effects.design import Design
+from pyhrg.gap.effects.linear_test import Group
 
 AnyGroup = TypeVar("AnyGroup", bound=Group)
 

@@ -9,9 +9,10 @@ from collections.abc import Sequence
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, Family
-from pyhrg.gap.effects.design import LinearTest, measure_power
+from pyhrg.gap.effects.design import measure_power
 from pyhrg.gap.effects.form import find_forms
 from pyhrg.gap.effects.jump import Jump
+from pyhrg.gap.effects.linear_test import LinearTest
 from pyhrg.gap.evidence.hypothesis import NO_ERROR, FormError, Hypothesis, rank_under_noise
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 

@@ -13,8 +13,6 @@ from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import (
     Design,
-    Group,
-    LinearTest,
     TestChannel,
     build_design,
     compute_excess_power,
@@ -22,6 +20,7 @@ from pyhrg.gap.effects.design import (
 )
 from pyhrg.gap.effects.form import Form
 from pyhrg.gap.effects.known_parameters import KnownParameters
+from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.evidence.evidence import Fit
 from pyhrg.gap.evidence.jump_search import find_jumps, find_steps
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
@@ -44,7 +43,7 @@ class FormError:
     terms: tuple[CandidateTerm, ...]
 
     @property
-    def groups(self) -> tuple[CandidateTerm | Form, ...]:
+    def groups(self) -> tuple[CandidateTerm, ...]:
         """The terms and their forms."""
         return *self.terms, *self.sigmas
 
@@ -193,7 +192,8 @@ def rank_under_noise(
     model_error = model_error_power(compute_excess_power(parts, nominal_noise))
     channel_noise = replace(nominal_noise, angle=noise.noise)
     exact = build_design(parts, channel_noise, forms=forms.groups)
-    tolerances = {**_list_tolerances(nominal, parts), **forms.sigmas}
+    tolerances = _list_tolerances(nominal, parts)
+    tolerances.update(forms.sigmas.items())
     known = KnownParameters(discount_model_error(exact, model_error), tolerances, forms.terms)
     if linearization_error:
         error = {where: linearization_error + power for where, power in model_error.items()}
@@ -216,7 +216,7 @@ def rank_under_noise(
     return hypothesis
 
 
-def _list_tolerances(nominal: Device, parts: Sequence[LinearTest]) -> dict[Effect, float]:
+def _list_tolerances(nominal: Device, parts: Sequence[LinearTest]) -> dict[Effect | Form, float]:
     """Tolerance of each known parameter, SI."""
     known = [effect for effect in parts[0].sensitivities if effect.family != "gyro"]
     return {effect: effect.tolerance_of(nominal) for effect in known}

@@ -13,8 +13,8 @@ import numpy as np
 
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.design import Group
 from pyhrg.gap.effects.known_parameters import KnownParameters
+from pyhrg.gap.effects.linear_test import Group
 from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS, Fit, fit
 from pyhrg.gap.evidence.hypothesis import make_feasibility_check, sigma_along
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95

@@ -13,7 +13,7 @@ from scipy.special import softmax
 
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import NoiseEffect
-from pyhrg.gap.effects.design import Group, LinearTest
+from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS
 from pyhrg.gap.evidence.form_error import rank_with_forms
 from pyhrg.gap.evidence.hypothesis import Hypothesis

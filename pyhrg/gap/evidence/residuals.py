@@ -10,9 +10,10 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.design import Group, LinearTest, TestChannel
+from pyhrg.gap.effects.design import TestChannel
 from pyhrg.gap.effects.form import Form, build_form_columns, build_reading_columns
 from pyhrg.gap.effects.jump import Jump
+from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.replay.observations import CHANNELS, Mask
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
@@ -80,7 +81,7 @@ def compute_residuals(
     residuals = []
     for index, part in enumerate(parts):
         angle = _subtract(part, of_output, "gyro_angle", index)[:, None]
-        terms = [g for g in removed if isinstance(g, CandidateTerm | Form)]
+        terms = [g for g in removed if isinstance(g, CandidateTerm)]
         for group, values in build_reading_columns(part.where, terms):
             angle -= (values @ removed[group])[:, None]
         for channel in channels:

@@ -16,8 +16,8 @@ from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu
 from pyhrg.gap.closing.equation.proposal import list_coefficients, make_terms
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import NoiseEffect
-from pyhrg.gap.effects.design import LinearTest, whiten_rows
 from pyhrg.gap.effects.form import build_reading_columns
+from pyhrg.gap.effects.linear_test import LinearTest, whiten_rows
 from pyhrg.gap.effects.sensitivities import linearize_test
 from pyhrg.gap.effects.term_columns import compute_response
 from pyhrg.gap.evidence.attribution import Attribution

@@ -6,15 +6,19 @@ from scipy.stats import multivariate_normal
 
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
-from pyhrg.gap.effects.design import Block, Design, Group, discount_model_error
+from pyhrg.gap.effects.design import Block, Design, discount_model_error
 from pyhrg.gap.effects.form import Form
 from pyhrg.gap.effects.known_parameters import KnownParameters
+from pyhrg.gap.effects.linear_test import Group
 from pyhrg.gap.evidence.evidence import fit
 
 ROWS = 40
 TERM = CandidateTerm("gyro_angle", "temperature", "bias: temperature^1")
 RIVAL = CandidateTerm("gyro_angle", "time", "bias: time since power-on")
-FORMS = {Form(TERM, 2, 1.0, 1): 3.0, Form(TERM, 3, 1.0, 2): 0.2}
+FORMS = {
+    Form(TERM.channel, TERM.coordinate, TERM.function, degree=2): 3.0,
+    Form(TERM.channel, TERM.coordinate, TERM.function, degree=3, size=2): 0.2,
+}
 GENERATOR = np.random.default_rng(5)
 COLUMNS: dict[Group, Array] = {
     group: GENERATOR.normal(size=(ROWS, size))
@@ -66,7 +70,8 @@ def test_forms_take_nothing_from_their_term() -> None:
     with_forms = KnownParameters(build(), FORMS, (TERM,)).marginal
     without = KnownParameters(build(), {}).marginal
     first, second = fit(with_forms, [TERM]), fit(without, [TERM])
-    assert first is not None and second is not None
+    assert first is not None
+    assert second is not None
     assert first.log_evidence == pytest.approx(second.log_evidence)
 
 

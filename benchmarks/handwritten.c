@@ -20,7 +20,7 @@ typedef struct {
 } Loops;
 
 typedef struct {
-  double dx, dy, ds, shift, sc, ss, coupling, duffing;           /* resonator */
+  double dx, dy, ds, shift, sc, ss, coupling, duffing, electrostatic; /* resonator */
   double gx, gy, skew, cubic, cx, sx, cy, sy, offset, feedthrough; /* pick-offs */
   double drive[4];
   double force_noise, pickoff_noise, walk_noise, flicker_noise, rotation_noise;
@@ -99,9 +99,10 @@ static void draw(Noise *n) {
 
 static inline void rates(const Gyro *g, const double *z, double *dz) {
   const Parameters *p = &g->p;
-  double swing = p->duffing * (z[0] * z[0] + z[1] * z[1] + z[2] * z[2] + z[3] * z[3]);
+  double xx = z[0] * z[0] + z[1] * z[1], yy = z[2] * z[2] + z[3] * z[3], swing = p->duffing * (xx + yy);
   double turn = p->coupling + 2.0 / 3.0 * p->duffing * (z[0] * z[3] - z[2] * z[1]);
-  double nx = g->reference - p->shift + p->sc - swing, ny = g->reference - p->shift - p->sc - swing;
+  double nx = g->reference - p->shift + p->sc - (swing - p->electrostatic * xx);
+  double ny = g->reference - p->shift - p->sc - (swing - p->electrostatic * yy);
   dz[0] = -p->dx * z[0] - p->ds * z[2] - nx * z[1] - p->ss * z[3] + turn * z[2] + g->force[0];
   dz[1] = -p->dx * z[1] - p->ds * z[3] + nx * z[0] + p->ss * z[2] + turn * z[3] + g->force[1];
   dz[2] = -p->dy * z[2] - p->ds * z[0] - ny * z[3] - p->ss * z[1] - turn * z[0] + g->force[2];
@@ -173,7 +174,7 @@ static void tick(Gyro *g, double rotation, double setpoint) {
   g->gyro_angle = angle;
   double lag = p->loop_delay * (g->modal - before) / TS, lc = 1.0 - lag * lag / 2.0;
   double ls = lag - lag * lag * lag / 6.0, fc = cs * lc + sn * ls, fs = sn * lc - cs * ls;
-  double antinode = growth * amplitude, node = 2.0 * rate * amplitude;
+  double antinode = growth, node = 2.0 * rate * amplitude;
   g->command[0] = antinode * fc - node * fs, g->command[1] = -square * fs;
   g->command[2] = antinode * fs + node * fc, g->command[3] = square * fc;
   const double *u = g->command;

@@ -20,12 +20,11 @@ import numpy as np
 from scipy.stats import chi2
 
 from ins_eval.common.state import TrackError, track_error
-from ins_eval.error_model.states import ATTITUDE
+from ins_eval.error_model.dynamics import ATTITUDE
 from ins_eval.flights.assumed_errors import AssumedErrors, assume_errors
-from ins_eval.flights.flight import Runs, fly_runs
+from ins_eval.flights.flight import Runs, Truth, count_still_increments, fly_runs, sample_truth
 from ins_eval.flights.linear import propagate_flight_covariance
 from ins_eval.flights.plan import Plan, plan_simulation
-from ins_eval.flights.truth import Truth, count_still_increments, sample_truth
 from ins_eval.imu.specification import load_imu
 from ins_eval.trajectories.catalogue import list_trajectories, load_trajectory
 

@@ -18,8 +18,7 @@ import numpy as np
 
 from fmu_build.bundle import build_fmu
 from ins_eval.mission_model.missions import plan_mission
-from ins_eval.mission_model.position_errors import compute_position_errors
-from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.position_errors import TriadBlock, compute_position_errors
 from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.study.gyros.drawn_triad import (
     TriadDistribution,

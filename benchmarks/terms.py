@@ -21,7 +21,7 @@ from scipy.stats import binomtest
 from tqdm import tqdm
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.challenge.campaigns.course import Course
+from pyhrg.bench.programme import Course
 from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.challenge.truths.form import (
     apply_play,

@@ -1,9 +1,10 @@
 from .binaries.platforms import PLATFORMS, BuildError
 from .bundle import build_fmu
 from .check.report import FmuReport, check_fmu
-from .roots import ROOTS
+from .roots import PARTS, ROOTS
 
 __all__ = [
+    "PARTS",
     "PLATFORMS",
     "ROOTS",
     "BuildError",

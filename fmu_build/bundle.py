@@ -1,9 +1,7 @@
 """The FMU archive: generated sources, compiled for each platform, packed; cached by digest."""
 
 import hashlib
-import io
 import tempfile
-import zipfile
 from collections.abc import Callable, Mapping, Sequence
 from importlib.metadata import version
 from pathlib import Path
@@ -12,6 +10,7 @@ from fmu_build.archive.bill_of_materials import list_materials
 from fmu_build.archive.description import describe_build, describe_fmi2, describe_fmi3
 from fmu_build.archive.documentation.document import write_documentation
 from fmu_build.archive.licences import list_licence_files, read_licence
+from fmu_build.archive.packing import pack_archive
 from fmu_build.archive.reference import simulate_reference
 from fmu_build.archive.terminals import describe_terminals
 from fmu_build.binaries.libraries import fetch_library
@@ -22,15 +21,15 @@ from fmu_build.binaries.platforms import (
     BuildError,
     choose_platforms,
     find_compiler_version,
-    join_universal,
     list_platforms,
+    place_binaries,
 )
 from fmu_build.code.generate import generate_header, generate_source
 from fmu_build.code.limits import generate_limits
 from fmu_build.equations.dae import Dae
 from fmu_build.equations.modelica import read_page
 from fmu_build.equations.translate import COMPILER_VERSION, translate
-from fmu_build.roots import ROOTS, Root
+from fmu_build.roots import PARTS, ROOTS, Root
 from pyhrg.common.caches.files import find_cache_folder, is_intact, write_digest
 from pyhrg.common.files import write_whole
 from pyhrg.common.made_by import find_modelica
@@ -79,7 +78,7 @@ def build_fmu(
     A wheel holds those of FMI 2.0, for all platforms: no compiler is needed where it is installed.
 
     Args:
-        model: a key of `fmu_build.roots.ROOTS`: HRG, HRGCarrier or HRGSlow.
+        model: a key of `fmu_build.roots.ROOTS` (the gyro: HRG, HRGCarrier or HRGSlow) or `PARTS`.
         class_file: a Modelica file that holds one class, named as the file, that is a gyro with
             sampled loops and uses the library HRG; it takes the place of `model`.
         fmi: version of the standard, 2 or 3.
@@ -128,16 +127,17 @@ def _fetch_fmu(root: Root, fmi: int, platforms: Sequence[str], progress: Progres
 
 
 def _find_root(model: str) -> Root:
-    if model not in ROOTS:
-        raise BuildError(f"model: found {model!r}, expected {', '.join(ROOTS)}")
-    return ROOTS[model]
+    known = ROOTS | PARTS
+    if model not in known:
+        raise BuildError(f"model: found {model!r}, expected {', '.join(known)}")
+    return known[model]
 
 
 def _make_root(file: Path) -> Root:
     """The root of a file's class: it runs as `HRG` does."""
     if not file.is_file() or not file.stem.isidentifier() or file.suffix != ".mo":
         raise BuildError(f"class file: found {str(file)!r}, expected a file named CLASS.mo")
-    if file.stem in ROOTS:
+    if file.stem in ROOTS | PARTS:
         raise BuildError(f"class file: {file.stem}: the library has this name; expected another")
     description = read_page(file).description or f"Gyro of the class {file.stem}"
     usual = ROOTS["HRG"]
@@ -190,17 +190,17 @@ def write_fmu(
             platform: fetch_library(folder, sources, root.identifier, PLATFORMS[platform], progress)
             for platform in platforms
         }
-    content |= _place_binaries(libraries, root.identifier, fmi)
+    content |= place_binaries(libraries, root.identifier, fmi)
     if fmi == 3:
         build_text = describe_build(root.identifier, sources, PORTABLE_FLAGS)
         content["sources/buildDescription.xml"] = build_text.encode()
     content |= _make_enclosures(dae, root, fmi, content)
     path.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(path, _zip(content))
+    write_whole(path, pack_archive(content))
     progress(f"built {path}")
 
 
-PARTS = ("equations", "code", "c", "binaries", "archive")
+ROOMS = ("equations", "code", "c", "binaries", "archive")
 """The rooms of this package that determine what the FMU is."""
 SUFFIXES = ("py", "css", "png", "ssv", "txt", "c", "h")
 
@@ -211,9 +211,9 @@ def digest_sources() -> str:
     digest = hashlib.sha256(f"{tools} {read_licence()}".encode())
     package = Path(__file__).parent
     for root, pattern in (
-        (find_modelica_library(), "**/*.mo"),
+        (find_modelica(), "**/*.mo"),
         (package, "*.py"),
-        *((package / part, f"**/*.{suffix}") for part in PARTS for suffix in SUFFIXES),
+        *((package / part, f"**/*.{suffix}") for part in ROOMS for suffix in SUFFIXES),
     ):
         for file in sorted(root.glob(pattern)):
             digest.update(file.relative_to(root).as_posix().encode())
@@ -252,29 +252,6 @@ def _make_enclosures(
     }
     found |= run.files(root.identifier)
     found |= {f"documentation/licenses/{n}": text for n, text in list_licence_files(fmi).items()}
-    if root.file is None:
+    if root.identifier in ROOTS:
         found |= {f"resources/{file.name}": file.read_bytes() for file in DEVICES.glob("*.ssv")}
     return found | ({"model.png": icon} if fmi == 2 else {})
-
-
-def _place_binaries(libraries: dict[str, bytes], identifier: str, fmi: int) -> dict[str, bytes]:
-    """Binaries by path; FMI 2.0 has one folder for both kinds of Mac, and none for Linux on ARM."""
-    folders: dict[str, list[bytes]] = {}
-    for name, library in libraries.items():
-        platform = PLATFORMS[name]
-        folder = platform.fmi2_folder if fmi == 2 else name
-        path = f"binaries/{folder}/{identifier}{platform.suffix}"
-        folders.setdefault(path, []).append(library)
-    return {path: x[0] if len(x) == 1 else join_universal(x) for path, x in folders.items()}
-
-
-def _zip(content: dict[str, bytes]) -> bytes:
-    """Sorted names and fixed times: the same content gives the same bytes."""
-    buffer = io.BytesIO()
-    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name in sorted(content):
-            entry = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.external_attr = 0o644 << 16
-            archive.writestr(entry, content[name])
-    return buffer.getvalue()

@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 from pathlib import Path
 
+from pyhrg.common.made_by import find_modelica
+
 METHODS = {
     "runge_kutta_4": "the classical Runge-Kutta method of fourth order",
     "dormand_prince_8": "the method of Dormand and Prince of eighth order, at fixed steps",
@@ -55,3 +57,40 @@ ROOTS = {
         ),
     )
 }
+
+PARTS = {
+    root.identifier: root
+    for root in (
+        Root(
+            "HRGPlant",
+            "HRG.Gyroscopes.HRGPlant",
+            "Resonator, pick-offs and drives of a hemispherical resonator gyro",
+            "runge_kutta_4",
+            "0.001",
+        ),
+        Root(
+            "HRGElectronics",
+            "HRG.Gyroscopes.HRGElectronics",
+            "Control electronics of a hemispherical resonator gyro at 1 kHz",
+            "runge_kutta_4",
+            "0.001",
+        ),
+        Root(
+            "Navigator",
+            "Strapdown.Navigator",
+            "Strapdown navigator on WGS-84",
+            "runge_kutta_4",
+            "0.01",
+            find_modelica() / "Strapdown" / "package.mo",
+        ),
+        Root(
+            "Accelerometers",
+            "Strapdown.Accelerometers",
+            "Three accelerometers with stated errors",
+            "runge_kutta_4",
+            "0.01",
+            find_modelica() / "Strapdown" / "package.mo",
+        ),
+    )
+}
+"""The parts of a gyro, and those of a system that are no gyro."""

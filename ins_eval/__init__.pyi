@@ -2,7 +2,7 @@ from .flights.align_record import align
 from .flights.align_report import AlignedRecord
 from .flights.fly import fly, fly_log
 from .flights.report import Flight
-from .imu.recorded import read_record
+from .flights.sources import read_record
 from .imu.specification import list_imus, load_imu
 from .navigation.strapdown import navigate
 from .parking.parking import ParkingComparison, compare_parking
@@ -12,6 +12,7 @@ from .study.run_study import StudyResult, run_study
 from .study.study_file import load_study
 from .study.summary.predict_error import predict_error
 from .study.validation.validate import validate
+from .system.system import write_system
 from .trajectories.catalogue import list_trajectories, load_trajectory
 
 __all__ = [
@@ -37,4 +38,5 @@ __all__ = [
     "run_study",
     "score_challenge",
     "validate",
+    "write_system",
 ]

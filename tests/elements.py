@@ -1,6 +1,8 @@
-"""Elements of a page, and that each is closed where it should be."""
+"""Elements of a page, each closed where it should be, and what every page is held to."""
 
+import re
 from html.parser import HTMLParser
+from typing import Any
 
 VOID = {"meta", "br", "input"}
 
@@ -30,3 +32,32 @@ def elements(text: str) -> list[tuple[str, dict[str, str | None]]]:
     parser.feed(text)
     assert not parser.open
     return parser.found
+
+
+def check_nothing_is_loaded(text: str) -> None:
+    """A page that loads something from elsewhere fails."""
+    loading = {"src", "srcset", "data", "poster", "action", "xlink:href"}
+    for tag, attributes in elements(text):
+        assert not loading & set(attributes), tag
+        assert tag not in ("link", "img", "iframe", "object")
+    assert not re.search(r"https?://|@import|url\(|fetch\(|XMLHttpRequest", text)
+
+
+def check_drawings_have_words(text: str) -> None:
+    """A drawing that a screen reader can neither read nor pass over fails."""
+    for tag, attributes in elements(text):
+        if tag == "svg":
+            assert attributes.get("aria-label") or attributes.get("aria-hidden") == "true"
+
+
+def check_scheme(browser: Any, address: str, dark: bool) -> None:
+    """A page fails that is not dark, or light, as the user asks for it, and white on paper."""
+    opened = browser.new_page(color_scheme="dark" if dark else "light")
+    opened.goto(address)
+    back = opened.evaluate("getComputedStyle(document.body).backgroundColor")
+    light = [int(v) for v in back.strip("rgb()").split(",")]
+    assert (max(light) < 64) == dark
+    opened.emulate_media(media="print")
+    assert opened.evaluate("getComputedStyle(document.body).backgroundColor").startswith("rgb(255")
+    assert not opened.locator("#filters").is_visible()
+    opened.close()

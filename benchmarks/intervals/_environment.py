@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from scipy import special
 
 from pyhrg.bench.outcome import Outcome
-from pyhrg.bench.readings.spins import Spin, find_spins, pair_spins
+from pyhrg.bench.readings.turns import Spin, find_spins, pair_spins
 from pyhrg.device.device import Device
 from pyhrg.records import Log
 

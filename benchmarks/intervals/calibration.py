@@ -9,7 +9,7 @@ from pyhrg.bench.bias.position.full_circumference import make_power_ons
 from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.calibration.calibration import PERIODS
 from pyhrg.bench.calibration.calibration_maps import fit_maps
-from pyhrg.bench.scale_factor.rate_tests import make_turn_power_ons
+from pyhrg.bench.scale_factor.scale_factor import make_turn_power_ons
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
 from pyhrg.device.ready_devices import TYPICAL

@@ -4,7 +4,7 @@ import numpy as np
 
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.dead_zone import dead_zone
-from pyhrg.bench.dead_zone.turning import FOURTH, fit_turning
+from pyhrg.bench.dead_zone.lock import FOURTH, fit_turning
 from pyhrg.bench.estimation.harmonics import MEAN
 from pyhrg.bench.estimation.sizes import estimate_amplitude
 from pyhrg.device.ready_devices import TYPICAL

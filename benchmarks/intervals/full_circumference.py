@@ -17,8 +17,7 @@ from benchmarks.intervals._environment import (
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position import full_circumference
 from pyhrg.bench.bias.position.full_circumference import read_runs
-from pyhrg.bench.bias.position.position_runs import estimate_within, group_by_position
-from pyhrg.bench.bias.position.positions import Plan
+from pyhrg.bench.bias.position.positions import Plan, estimate_within, group_by_position
 from pyhrg.bench.readings.segments import SEGMENT, Points
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.device.device import Device

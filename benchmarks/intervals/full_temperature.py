@@ -18,7 +18,7 @@ from pyhrg.bench.bias.thermal.thermal_fit import Thermal, fit_temperature
 from pyhrg.bench.bias.thermal.thermal_scale_factor import MEAN_STABILITY, REPEATABILITY
 from pyhrg.bench.bias.thermal_programme import make_programme
 from pyhrg.bench.estimation.terms import choose_pattern_basis
-from pyhrg.bench.readings.spins import compute_scale_factor_error, find_spins, pair_spins
+from pyhrg.bench.readings.turns import compute_scale_factor_error, find_spins, pair_spins
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG_PER_H, MINUTE
 from pyhrg.device.device import Device

@@ -9,6 +9,7 @@ import numpy as np
 
 from pyhrg.fmu import GyroFmu
 from pyhrg.noise.fitting import estimate_noise
+from pyhrg.noise.ramp import estimate_rate_ramp
 from tests.pyhrg.noises import Mixture, noisy_angle
 
 MODEL = "HRGSlow"
@@ -38,4 +39,6 @@ def repeat(fmu: GyroFmu, seed: int) -> dict[str, tuple[float, float, float]]:
             if truth:
                 coefficient = getattr(noises, name)
                 found[f"{letter} of {title}"] = (truth, coefficient.low, coefficient.high)
+        ramp = estimate_rate_ramp(angle, 1.0, noises)
+        found[f"rate ramp of {title}"] = (mixture[4], ramp.low, ramp.high)
     return found

@@ -8,7 +8,7 @@ from benchmarks.intervals._scale_factor import Intervals, compared, gyro
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.readings.turns import PERIOD
 from pyhrg.bench.scale_factor import scale_factor_rate
-from pyhrg.bench.scale_factor.rate_tests import INTERVAL
+from pyhrg.bench.scale_factor.scale_factor import INTERVAL
 from pyhrg.bench.scale_factor.scale_factor_rate import RATE
 from pyhrg.device.ready_devices import Device
 from pyhrg.fmu import GyroFmu

@@ -12,7 +12,7 @@ from ins_eval.common.state import State, Track, TrackError, track_error
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from pyhrg.common.arrays import Array
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 KEPT_EACH = 60.0
 """Time between points of comparison, s."""

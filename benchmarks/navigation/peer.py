@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 
 from benchmarks.navigation.motions import KEPT_EACH, Flight
 from ins_eval.common.state import State, Track
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 
 def peer() -> Any | None:

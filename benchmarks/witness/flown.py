@@ -20,8 +20,7 @@ from benchmarks.witness.study import (
     tabulate,
 )
 from ins_eval.mission_model.missions import STILL, plan_mission
-from ins_eval.mission_model.position_errors import compute_position_errors
-from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.position_errors import TriadBlock, compute_position_errors
 from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.study.gyros.drawn_triad import DrawnTriad
 from ins_eval.study.gyros.drift import Drift, Flight

@@ -6,7 +6,7 @@ import numpy as np
 
 from ins_eval.error_model.effects import ANGULAR_GAIN
 from ins_eval.mission_model.missions import STILL, plan_mission
-from ins_eval.mission_model.warming import compute_case_warming_rate, compute_resonator_warmth
+from ins_eval.mission_model.signals import compute_case_warming_rate, compute_resonator_warmth
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.witness.responses import Motion

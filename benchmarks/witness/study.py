@@ -6,12 +6,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from benchmarks.witness.motions import CLASSES, Ride, load_ride
+from ins_eval.mission_model.gyro_map import start_maps, turn_weights
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import plan_mission
-from ins_eval.mission_model.position_errors import compute_expected_error, compute_position_errors
+from ins_eval.mission_model.position_errors import (
+    TriadBlock,
+    compute_expected_error,
+    compute_position_errors,
+)
 from ins_eval.mission_model.signals import COUNT, slice_coefficients
-from ins_eval.mission_model.triad_block import TriadBlock
-from ins_eval.mission_model.turned_maps import start_maps, turn_weights
 from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.study.gyros.bench_plan import BenchPlan
 from ins_eval.study.gyros.drawn_triad import DrawnTriad

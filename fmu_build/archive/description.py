@@ -199,7 +199,7 @@ def _as_boolean(head: dict[str, str]) -> dict[str, str]:
     kept = {key: text for key, text in head.items() if key not in numeric}
     if "start" in kept:
         kept["start"] = "true" if float(kept["start"]) else "false"
-    return kept | {"variability": "discrete"}
+    return kept if kept["causality"] == "parameter" else kept | {"variability": "discrete"}
 
 
 def _unknowns(dae: Dae, listed: Sequence[Scalar]) -> Iterator[tuple[str, Scalar, tuple[int, ...]]]:

@@ -41,9 +41,11 @@ def read_licence() -> Licence:
     )
 
 
-def list_licence_files(fmi: int) -> dict[str, bytes]:
-    """Content of the folder, by file name; `license.txt` is the entry point."""
-    notices = {file.name: file.read_text(encoding="utf-8") for file in NOTICES.glob("*.txt")}
+def list_licence_files(fmi: int, *, is_generated: bool = True) -> dict[str, bytes]:
+    """Content of the folder, by file name; `license.txt` is the entry point. Sources that are
+    generated from equations hold the work of others beside the FMI headers."""
+    held = NOTICES.glob("*.txt") if is_generated else ()
+    notices = {file.name: file.read_text(encoding="utf-8") for file in held}
     notices["fmi_headers.txt"] = _fmi_headers(fmi)
     licence = read_licence()
     lines = [

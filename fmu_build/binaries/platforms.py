@@ -4,7 +4,7 @@ import platform
 import struct
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
@@ -125,3 +125,15 @@ def join_universal(libraries: list[bytes]) -> bytes:
         header += struct.pack(">IIIII", cpu, subtype, offset + len(body), len(library), alignment)
         body += library + b"\0" * (-len(library) % (1 << alignment))
     return header.ljust(offset, b"\0") + body
+
+
+def place_binaries(libraries: Mapping[str, bytes], identifier: str, fmi: int) -> dict[str, bytes]:
+    """Paths in an archive of the libraries of platforms, by name; FMI 2.0 has one folder for both
+    kinds of Mac, and none for Linux on ARM."""
+    folders: dict[str, list[bytes]] = {}
+    for name, library in libraries.items():
+        platform = PLATFORMS[name]
+        folder = platform.fmi2_folder if fmi == 2 else name
+        path = f"binaries/{folder}/{identifier}{platform.suffix}"
+        folders.setdefault(path, []).append(library)
+    return {path: x[0] if len(x) == 1 else join_universal(x) for path, x in folders.items()}

@@ -99,9 +99,18 @@ int core_ticks_before(const Core *core, double time) {
   return (time - core->start) / period > (double)core->ticks + same_instant(time, period);
 }
 
+double core_now(const Core *core) {
+  const double period = FIRST(MODEL_PERIOD(core->v));
+  return core->start + (double)(core->ticks - 1) * period + core->offset;
+}
+
 int core_is_at(const Core *core, double time) {
   const double period = FIRST(MODEL_PERIOD(core->v));
-  double now = core->start + (double)(core->ticks - 1) * period + core->offset;
   return core->ticks >= 1 && core->offset >= 0.0 && core->offset < period &&
-         fabs(now - time) <= 2.0 * same_instant(time, period) * period;
+         fabs(core_now(core) - time) <= 1e-6 * (1.0 + fabs(time));
+}
+
+double core_drift(const Core *core, double time) {
+  double drift = time - core_now(core);
+  return fabs(drift) > 5e-7 * FIRST(MODEL_PERIOD(core->v)) ? drift : 0.0;
 }

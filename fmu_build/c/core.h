@@ -36,7 +36,12 @@ void core_refresh(Core *core);
 /* Time of the next tick, and whether it lies before a time, not on it. */
 double core_next_tick(const Core *core);
 int core_ticks_before(const Core *core, double time);
-/* Whether ticks and offset are those of a time after the first tick. */
+/* Time that the core has reached. */
+double core_now(const Core *core);
+/* What an importer's time is ahead of the core's, where it is more than rounding: by importers that
+   add up their steps, 1e-6 s after 2 h at 1 ms. */
+double core_drift(const Core *core, double time);
+/* Whether ticks and offset are those of an importer's time after the first tick. */
 int core_is_at(const Core *core, double time);
 
 #endif

@@ -234,12 +234,13 @@ static int is_step(Instance *instance, double time, double step) {
 }
 
 /* Tick by tick, with the importer's word on each that lies within the step. */
-static double told_advance(Instance *instance, double end, Between between) {
+static double told_advance(Instance *instance, double end, double drift, Between between) {
   Situation *now = &instance->now;
   now->phase = UPDATING;
-  while (core_ticks_before(&now->core, end)) {
-    now->time = core_next_tick(&now->core);
-    inputs_advance(instance, now->time);
+  while (core_ticks_before(&now->core, end - drift)) {
+    const double tick = core_next_tick(&now->core);
+    now->time = tick + drift;
+    inputs_advance(instance, tick);
     between(instance, &end);
   }
   now->phase = STEPPING;
@@ -253,8 +254,9 @@ int instance_step(Instance *instance, double time, double step, Between between)
   Situation *now = &instance->now;
   /* a begin that is early within the slack does not turn time back */
   const double begin = now->time, whole = fmax(time + step, begin);
-  double end = between ? told_advance(instance, whole, between) : whole;
-  inputs_advance(instance, end);
+  const double drift = core_drift(&now->core, begin);
+  double end = between ? told_advance(instance, whole, drift, between) : whole;
+  inputs_advance(instance, end - drift);
   inputs_end(instance, end - begin, end == whole);
   now->time = end;
   if (model_is_finite(now->core.v)) return 1;

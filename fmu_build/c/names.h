@@ -15,10 +15,12 @@
 #define OWN(name) OWN_NAME(OWN_PREFIX, name)
 
 #define core_advance OWN(core_advance)
+#define core_drift OWN(core_drift)
 #define core_hold OWN(core_hold)
 #define core_initialize OWN(core_initialize)
 #define core_is_at OWN(core_is_at)
 #define core_next_tick OWN(core_next_tick)
+#define core_now OWN(core_now)
 #define core_refresh OWN(core_refresh)
 #define core_reset OWN(core_reset)
 #define core_retune OWN(core_retune)

@@ -98,11 +98,12 @@ def _default(fmu: Fmu, name: str, otherwise: float) -> float:
 
 def _step(fmu: Fmu, variable: bool) -> float:
     """The default step, or a hundredth of the experiment. Where the FMU takes any step it is
-    rounded down to a power of two, so that importers that add up steps get the same times."""
+    rounded down to a power of two, so that importers that add up steps get the same times; 2^-9 s
+    at least, a whole number of the nanoseconds that libcosim counts."""
     start = _default(fmu, "startTime", 0.0)
     span = _default(fmu, "stopTime", start + 1.0) - start
     step = _default(fmu, "stepSize", span / 100)
-    return float(2.0 ** math.floor(math.log2(step))) if variable else step
+    return float(2.0 ** max(-9, math.floor(math.log2(step)))) if variable else step
 
 
 def _nudge_start(fmu: Fmu, variable: Variable) -> float:

@@ -16,8 +16,7 @@ from fmu_build.check.experiment import (
     read_last_line,
 )
 from pyhrg.common.reading.archives import open_archive
-from pyhrg.common.reading.csv_rows import parse_csv
-from pyhrg.common.reading.documents import parse_xml
+from pyhrg.common.reading.documents import parse_csv, parse_xml
 from pyhrg.common.reading.files import decode, read_bytes
 from pyhrg.common.reading.limits import LOG_BYTES
 

@@ -25,7 +25,7 @@ from fmu_build.check.rules import (  # noqa: F401 (modules of rules register the
 from fmu_build.check.rules.archive import INTACT
 from fmu_build.check.rules.rule import RULES, Rule
 from pyhrg.common.errors import HrgError, describe_briefly
-from pyhrg.common.reading.failures import refuse_unreadable
+from pyhrg.common.reading.limits import refuse_unreadable
 
 
 @dataclass(frozen=True)

@@ -13,9 +13,10 @@ HELP = "translate the Modelica gyro and build HRG.fmu"
 def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--model",
-        choices=tuple(fmu_build.ROOTS),
+        choices=(*fmu_build.ROOTS, *fmu_build.PARTS),
         default="HRG",
-        help="the gyro at 1 kHz, at its carrier, or with quasi-steady loops",
+        help="the gyro at 1 kHz, at its carrier, or with quasi-steady loops; its resonator or its "
+        "electronics alone; the navigator, or its accelerometers",
     )
     parser.add_argument(
         "--class",

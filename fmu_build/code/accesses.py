@@ -7,8 +7,8 @@ from fmu_build.equations.dae import Dae, Function, Json, Node
 
 
 class Access(NamedTuple):
-    """Reading or writing one element of a vector, which is an input or another value of the
-    function, by its ordinal."""
+    """One reading or writing of a vector's element. The ordinal is the vector's number among the
+    function's inputs, or among its other values."""
 
     is_write: bool
     is_input: bool
@@ -65,8 +65,8 @@ def _is_overwritten(dae: Dae, function: Function, fill: Json, later: Iterable[Js
 
 
 def can_replace(dae: Dae, function: Function, ordinal: int) -> bool:
-    """Whether the result can be written where an input stands: vectors of one size, and no element
-    of the input is read once the result's was written."""
+    """Whether the result can overwrite an input: both are vectors of one size, and no element of
+    the input is read after the same element of the result was written."""
     if (
         function.inputs[ordinal].size is None
         or function.inputs[ordinal].size != function.values[0].size

@@ -2,20 +2,19 @@
 
 import numpy as np
 
-from ins_eval.alignment.corruption import check_explained, check_samples
 from ins_eval.alignment.inertial_frame import (
     InertialFrameFit,
     estimate_sway_velocity,
     fit_inertial_frame,
 )
 from ins_eval.alignment.kalman.fine import align_by_kalman_filter
+from ins_eval.alignment.record_checks import check_explained, check_latitude, check_samples
 from ins_eval.alignment.result import Alignment
-from ins_eval.alignment.shown_latitude import check_latitude
 from ins_eval.common import earth
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 MIN_DURATION = 30.0
 """Shortest record that is aligned on, s. Chosen: gyrocompassing takes minutes."""

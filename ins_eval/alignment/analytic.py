@@ -9,7 +9,7 @@ from ins_eval.common.rotation import mat_from_euler
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 
 def level_and_gyrocompass(record: Increments, latitude: float) -> Array:

@@ -1,6 +1,7 @@
 """Bias instability during an alignment: flicker noise that begins with the record.
 
-Its variation before the record counts as the stated bias (docs/methods/alignment.md, Eqs. 8, 9).
+What it has become before the record is part of the stated bias (docs/methods/alignment.md, Eqs. 8
+and 9).
 """
 
 import numpy as np
@@ -14,7 +15,7 @@ deviation over 10 s to 100 s of a record of 300 s is right to 7 % (test_bias_ins
 
 def correlation_times(longest: float) -> Array:
     """Return the correlation times (3,), s, of the processes whose sum approximates flicker noise
-    (`pyhrg.noise.flicker.compute_process_variance`).
+    (`pyhrg.noise.coefficients.compute_process_variance`).
 
     They are the longest, a tenth and a hundredth of it. Faster variation is part of the sensors'
     white noise.

@@ -24,7 +24,7 @@ from ins_eval.navigation.coefficients import StepCoefficients, derive_coefficien
 from pyhrg.common.arrays import Array
 from pyhrg.common.caches.compiled import compile_loop
 from pyhrg.common.errors import HrgError
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 SPANS = 20
 """Number of spans of a record. Chosen."""

@@ -16,7 +16,7 @@ from ins_eval.alignment.kalman.dead_reckoning import Reckoning
 from ins_eval.alignment.kalman.fine import reckon_until_linear, run_filter
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.common.arrays import Array
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 PRIOR_SIGMA = float(np.log(10))
 """Prior standard deviation of the logarithm of a stated walk: a decade. Chosen."""

@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 
 import ins_eval
-from ins_eval.cli.place import PLACE, add_place_options
+from ins_eval.cli.nav import PLACE, add_place_options
 from pyhrg.common.cli import collect_given, refuse
 from pyhrg.common.files import check_output_folder
 

@@ -6,10 +6,21 @@ import argparse
 from pathlib import Path
 
 import ins_eval
-from ins_eval.cli.place import PLACE, add_place_options
 from pyhrg.common.cli import collect_given, refuse
 from pyhrg.common.files import check_output_folder
 from pyhrg.common.progress import Progress
+
+PLACE = ("latitude_deg", "longitude_deg", "height_m")
+
+
+def add_place_options(parser: argparse.ArgumentParser) -> None:
+    """Declare `--latitude-deg`, `--longitude-deg`, `--height-m`."""
+    group = parser.add_argument_group("where a log was recorded, if not where it says itself")
+    add = group.add_argument
+    add("--latitude-deg", type=float, metavar="DEG", help="geodetic latitude")
+    add("--longitude-deg", type=float, metavar="DEG", help="longitude (default 0)")
+    add("--height-m", type=float, metavar="M", help="height above the ellipsoid (default 0)")
+
 
 HELP = "fly an IMU along a trajectory, and say how far it goes astray"
 OF_SIMULATIONS = ("rate_hz", "seed", "runs")

@@ -28,8 +28,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> None:
-    from ins_eval.mission_model.map_worth import AXES, compute_map_worth
     from ins_eval.mission_model.missions import plan_mission
+    from ins_eval.mission_model.position_errors import AXES, compute_map_worth
     from ins_eval.mission_model.weights_cache import load_mission_weights
     from ins_eval.study.gyros.drift import AGEING_SHARE, LARGEST_LEAKAGE
     from pyhrg.common.arguments import check_number

@@ -1,4 +1,10 @@
-"""Dynamics matrix of the linearized navigation equations."""
+"""The states of the linear error model, and the dynamics matrix of the linearized navigation
+equations.
+
+Nine of the ten states are the errors of `TrackError`: computed less true, position in metres at the
+true place, attitude as the rotation vector that turns the true axes into the computed ones. The
+tenth is the integral of the baro-damped height loop. Sensor errors are inputs (`effects`).
+"""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -6,9 +12,25 @@ from numpy.typing import NDArray
 from ins_eval.common import earth
 from ins_eval.common.rotation import skew
 from ins_eval.error_model.motion import Motion, step_mean
-from ins_eval.error_model.states import ATTITUDE, COUNT, HEIGHT_INTEGRAL, POSITION, VELOCITY
 from ins_eval.navigation.height import BaroDamped, Clamped, Height
 from pyhrg.common.arrays import Array
+
+NAMES = (
+    "position north",
+    "position east",
+    "position down",
+    "velocity north",
+    "velocity east",
+    "velocity down",
+    "attitude north",
+    "attitude east",
+    "attitude down",
+    "height integral",
+)
+POSITION, VELOCITY, ATTITUDE = slice(0, 3), slice(3, 6), slice(6, 9)
+HEIGHT_INTEGRAL = 9
+COUNT = len(NAMES)
+
 
 NORTH, EAST, DOWN = 0, 1, 2
 

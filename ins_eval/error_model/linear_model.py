@@ -1,4 +1,11 @@
-"""The linear error model along a motion in discrete steps, and its mean and covariance."""
+"""The linear error model along a motion in discrete steps, and its mean and covariance.
+
+A static alignment is a model too, joined before that of the navigation
+(docs/methods/error_model.md, Eq. 10). It takes pitch and roll from the mean specific force and
+heading from the mean rate (`alignment.analytic`), so that the sensors' errors at each time
+contribute to the attitude error. The final error then includes the sensors' errors during
+alignment, and a bias that alignment compensates has no effect until the vehicle turns.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -6,12 +13,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ins_eval.alignment.analytic import bias_sensitivity
+from ins_eval.common import earth
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.error_model.discretisation import discretize, transitions_to_step_end
-from ins_eval.error_model.dynamics import dynamics, free_states, sensor_inputs
+from ins_eval.error_model.dynamics import ATTITUDE, COUNT, dynamics, free_states, sensor_inputs
 from ins_eval.error_model.effects import BIASES, Effect
 from ins_eval.error_model.motion import BOOLE, PARTS, Motion, step_mean
-from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import Height
 from pyhrg.common.arrays import Array
 
@@ -145,3 +153,20 @@ def _density(g: Array, noise: SensorErrors) -> Array:
     """Return the density (m, 10, 10) of the white noise on the states at the nodes."""
     walks = np.repeat([noise.angle_random_walk, noise.velocity_random_walk], AXES)
     return np.einsum("nij,j,nkj->nik", g, walks**2, g)
+
+
+def model_alignment(
+    still: Motion, effects: Sequence[Effect] = BIASES, noise: SensorErrors | None = None
+) -> LinearModel:
+    """Model the alignment over a motion at rest.
+
+    The attitude error is 0 at the beginning and that of the alignment at the end. Position and
+    velocity errors stay as they are.
+    """
+    duration = still.step * len(still)
+    g = np.zeros((len(still.mat_nb), COUNT, 6))
+    gravity = earth.gravity(still.latitude, still.height)
+    sensitivity = bias_sensitivity(still.latitude, gravity)
+    g[:, ATTITUDE, :3] = sensitivity[..., :3] @ still.mat_nb / duration
+    g[:, ATTITUDE, 3:] = sensitivity[..., 3:] @ still.mat_nb / duration
+    return assemble_model(still, np.zeros((len(still), COUNT, COUNT)), g, effects, noise)

@@ -25,7 +25,7 @@ from ins_eval.imu.imu import Imu
 from ins_eval.imu.map_sizes import MapSizes
 from ins_eval.imu.sensor_error_model import IDEAL_SENSORS, OFF_DIAGONAL, SensorErrorModel
 from pyhrg.common.arrays import Array
-from pyhrg.noise.flicker import compute_process_variance
+from pyhrg.noise.coefficients import compute_process_variance
 
 SizedEffect = tuple[Effect, ArrayLike]
 """An effect and the standard deviation of its coefficient, of all axes or (3,) of each, SI."""

@@ -8,7 +8,7 @@ from typing import Any
 import xarray as xr
 
 from ins_eval.flights.assumed_errors import assume_errors
-from ins_eval.flights.flight import fly_runs
+from ins_eval.flights.flight import count_still_increments, fly_runs, sample_truth
 from ins_eval.flights.linear import compute_error_budget, propagate_flight_covariance
 from ins_eval.flights.log_flight import LOG_TRAJECTORY, navigate_log
 from ins_eval.flights.plan import HeightMode, Plan, plan_log, plan_simulation
@@ -19,7 +19,6 @@ from ins_eval.flights.sources import (
     load_imu_at_rate,
     read_placed_record,
 )
-from ins_eval.flights.truth import count_still_increments, sample_truth
 from ins_eval.imu.imu import Imu
 from ins_eval.results import flights
 from ins_eval.trajectories import catalogue

@@ -4,36 +4,63 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import pandas as pd
+import xarray as xr
 from scipy.spatial.transform import Rotation
 
 from ins_eval.alignment.result import Alignment
 from ins_eval.common import earth
 from ins_eval.common.sensor_errors import SensorErrors
-from ins_eval.error_model.aligning import model_alignment
-from ins_eval.error_model.budget.adjoint import compute_weights
-from ins_eval.error_model.budget.budget import compute_budget
-from ins_eval.error_model.budget.decomposition import (
+from ins_eval.error_model.decomposition import (
     decompose_errors,
     sensor_error,
     sum_over_steps,
 )
+from ins_eval.error_model.dynamics import ATTITUDE, COUNT
 from ins_eval.error_model.effects import Effect
+from ins_eval.error_model.error_budget import INITIAL, Weights, compute_budget, compute_weights
 from ins_eval.error_model.linear_model import (
     LinearModel,
     join_models,
     linearize,
+    model_alignment,
     propagate_covariance,
 )
 from ins_eval.error_model.motion import Motion, sample_motion, step_mean
-from ins_eval.error_model.states import ATTITUDE, COUNT
 from ins_eval.flights.assumed_errors import AssumedErrors, assume_errors
-from ins_eval.flights.flight import Run, hold_height
-from ins_eval.flights.flown import Budget
+from ins_eval.flights.flight import Run, Truth, hold_height
 from ins_eval.flights.plan import Plan
-from ins_eval.flights.truth import Truth
 from ins_eval.imu.imu import Imu, ImuReading
 from pyhrg.common.arrays import Array
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
+
+COLUMNS = ("effect", "axis", "north_contribution_m", "east_contribution_m")
+
+
+@dataclass(frozen=True)
+class Budget:
+    """Error budget of run 1.
+
+    shares: contributions to the final error, as `error_model.error_budget` gives them; weights: the
+    adjoint weights that they rest on.
+    """
+
+    shares: xr.Dataset
+    weights: Weights
+
+    @property
+    def table(self) -> pd.DataFrame:
+        """Contributions by effect and axis, which sum to the linear model's error; zeros left
+        out."""
+        contribution = self.shares["contribution"].sum("time")
+        rows = [
+            (str(effect), str(axis), *map(float, contribution.sel(effect=effect, axis=axis)))
+            for effect in contribution["effect"].values
+            for axis in contribution["axis"].values
+        ]
+        rows.append((INITIAL, "", *map(float, self.shares["initial"].sum("state").values)))
+        return pd.DataFrame([row for row in rows if any(row[2:])], columns=list(COLUMNS))
+
 
 STEP = 0.5
 """Step of the linear model that is aimed at, s. Tuned on city traffic recorded at 1 Hz: steps of

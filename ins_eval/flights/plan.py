@@ -12,7 +12,7 @@ from pyhrg.common.arguments import (
     check_whole_number,
 )
 from pyhrg.common.errors import HrgError
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 HeightMode = Literal["clamped", "free", "baro"]
 """What holds the height: the true one, nothing, or a loop with the true one."""

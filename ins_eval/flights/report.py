@@ -14,15 +14,15 @@ from matplotlib.figure import Figure
 
 from ins_eval.alignment.result import Alignment
 from ins_eval.common.state import position_error
-from ins_eval.error_model.budget.budget_figure import plot_budget
-from ins_eval.error_model.budget.sigma_budget import COLUMNS as SIGMA_COLUMNS
-from ins_eval.flights.flown import COLUMNS, Budget
+from ins_eval.error_model.budget_figure import plot_budget
+from ins_eval.error_model.error_budget import COLUMNS as SIGMA_COLUMNS
+from ins_eval.flights.linear import COLUMNS, Budget
 from ins_eval.flights.plan import Plan
-from ins_eval.results import tables
+from ins_eval.results import flights
 from ins_eval.results.growth_figure import draw_growth
 from ins_eval.results.map_figure import draw_map
 from ins_eval.results.png import save_png
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, to_json_value
 from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.files import stage_files
 from pyhrg.common.made_by import list_versions
@@ -120,15 +120,15 @@ class Flight:
             DOCUMENT: lambda path: path.write_text(
                 json.dumps(_make_document(self), indent=2) + "\n"
             ),
-            "flights.csv": lambda path: tables.write_csv(dataset, path),
-            "flights.parquet": lambda path: tables.write_parquet(dataset, path),
-            "flights.nc": lambda path: tables.write_netcdf(dataset, path),
+            "flights.csv": lambda path: flights.write_csv(dataset, path),
+            "flights.parquet": lambda path: flights.write_parquet(dataset, path),
+            "flights.nc": lambda path: flights.write_netcdf(dataset, path),
             "map.png": lambda path: save_png(self.plot(), path),
         }
         if "radial_error" in self.dataset:
             writers["growth.png"] = lambda path: save_png(self.plot_growth(), path)
         if self.budget or self.sigma_budget is not None:
-            writers["budget.csv"] = lambda path: tables.write_table(self.budget_table, path)
+            writers["budget.csv"] = lambda path: flights.write_table(self.budget_table, path)
         if budget := self.budget:
             writers["budget.png"] = lambda path: save_png(
                 plot_budget(budget.weights, budget.shares, self.title), path
@@ -194,15 +194,8 @@ def _end_document(flight: Flight) -> dict[str, Any]:
     names += ["latitude_deg", "longitude_deg"]
     values = {name: name.rpartition("_")[0] for name in names}
     found = {name: last[short].values for name, short in values.items() if short in last}
-    numbers = {name: _finite(value.tolist()) for name, value in found.items()}
+    numbers = to_json_value(found)
     return {"time_s": float(last["time"]), **numbers}
-
-
-def _finite(value: Any) -> Any:
-    """What isn't known is null."""
-    if isinstance(value, list):
-        return [_finite(each) for each in value]
-    return value if math.isfinite(value) else None
 
 
 def _end_rows(flight: Flight, last: xr.Dataset) -> list[tuple[str, list[float]]]:

@@ -9,7 +9,6 @@ from ins_eval.common.state import position_error
 from ins_eval.flights.log_flight import Reference, stand_still
 from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
-from ins_eval.imu.recorded import read_record
 from ins_eval.imu.specification import load_imu
 from ins_eval.trajectories.recorded_drive import read_drive
 from ins_eval.trajectories.trajectory import Trajectory
@@ -17,6 +16,22 @@ from pyhrg.common.arguments import check_number, check_whole_number
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.log import RecordedImu
+from pyhrg.records.imu.recorded import read_imu_log
+
+
+def read_record(path: str | Path, trusted: bool = False) -> RecordedImu:
+    """Read a recorded IMU log: PSINS text, CSV or Parquet, gzipped or not.
+
+    Args:
+        path: the file; the formats are in docs/imus.md.
+        trusted: whether units and axes are taken as stated, even if gravity or Earth's rate
+            contradict them.
+
+    Raises:
+        HrgError: an unreadable file, or one with wrong or contradictory content.
+    """
+    return read_imu_log(Path(path), trusted)
+
 
 NO_TRUTH, AT_REST = "none", "rest"
 """References of a log: no truth is known, or the vehicle stood all the time."""

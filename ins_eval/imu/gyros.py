@@ -22,8 +22,10 @@ from pyhrg.device import device_file
 from pyhrg.device.keys import KEYS
 from pyhrg.device.ready_devices import TYPICAL, Device
 from pyhrg.fmu import GyroFmu, record_together
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
+FLIGHT = "flight"
+"""Identity of the power-on of a flight (`Bench.power_on`)."""
 AMPLITUDE_TOLERANCE = 1e-3
 """Largest relative difference of the amplitude from its set point for a gyro to be ready. Chosen:
 while the amplitude grows, the output is valid, but the misaligned driving force turns the pattern
@@ -69,11 +71,7 @@ class FmuGyros:
     ) -> GyroReading:
         """Simulate the gyros on the true motion."""
         self.check_interval(truth.interval)
-        fmu = self.fmu or GyroFmu(build_fmu())
-        devices = self.devices(generator)
-        if self.start_up:
-            devices = [with_start_up(each) for each in devices]
-        benches = [Bench(fmu, device, seed=int(generator.integers(2**63))) for device in devices]
+        benches = self.draw(generator)
         forces = [resolve_force_in_case(truth, axis) for axis in mounting.axes]
         components = mounting.project(truth.rotation)
         outputs = simulate_together(benches, components, forces, truth.interval)
@@ -83,6 +81,14 @@ class FmuGyros:
         pattern = np.stack([output.pattern_angle for output in outputs], axis=1)
         ready = np.logical_and.reduce([output.ready for output in outputs])
         return GyroReading(rotation, pattern, ready)
+
+    def draw(self, generator: np.random.Generator) -> list[Bench]:
+        """Draw three gyros, each on a bench of its own; they are switched on as `FLIGHT`."""
+        fmu = self.fmu or GyroFmu(build_fmu())
+        devices = self.devices(generator)
+        if self.start_up:
+            devices = [with_start_up(each) for each in devices]
+        return [Bench(fmu, device, seed=int(generator.integers(2**63))) for device in devices]
 
     @property
     def map_sizes(self) -> tuple[MapSizes, ...]:
@@ -170,7 +176,7 @@ def simulate_together(
         moving.append({name: values[:, None] for name, values in inputs.items()})
     names = ["gyroAngle", "patternAngle", "valid", "amplitude"]
     with ExitStack() as stack:
-        gyros = [stack.enter_context(bench.power_on("flight")) for bench in benches]
+        gyros = [stack.enter_context(bench.power_on(FLIGHT)) for bench in benches]
         starts = [gyro.read("gyroAngle") for gyro in gyros]
         recorded = record_together(gyros, moving, [{}] * len(gyros), interval, names)
     return [

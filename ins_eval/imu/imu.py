@@ -12,7 +12,7 @@ from ins_eval.imu.sensor_error_model import IDEAL_SENSORS, SensorErrorModel
 from ins_eval.imu.stated_gyros import IDEAL_GYROS, StatedGyros
 from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.units import STANDARD_GRAVITY
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 
 @dataclass(frozen=True)

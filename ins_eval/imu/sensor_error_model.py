@@ -7,7 +7,7 @@ import numpy as np
 
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import MICRO_G
-from pyhrg.noise.flicker import draw_flicker
+from pyhrg.noise.coefficients import draw_flicker
 
 
 @dataclass(frozen=True)
@@ -68,9 +68,8 @@ class SensorErrorModel:
         Errors that are 0 use up as many random numbers as others, except bias instability. Models
         with the same seed therefore share the errors that they have in common.
         """
-        bias = self.bias.draw((3,), generator)
-        noise = generator.normal(0.0, self.random_walk, size=truth.shape)
-        increments = truth @ self._sensitivity(generator).T
+        bias, noise, sensitivity = self.draw(truth.shape, generator)
+        increments = truth @ sensitivity.T
         increments = increments + bias * interval + noise * np.sqrt(interval)
         if self.bias_instability:
             increments += interval * draw_flicker(self.bias_instability, truth.shape, generator)
@@ -78,11 +77,16 @@ class SensorErrorModel:
             quantize(increments, self.quantization_step) if self.quantization_step else increments
         )
 
-    def _sensitivity(self, generator: np.random.Generator) -> Array:
-        """Draw the matrix (3, 3) from true to sensed quantities."""
-        matrix = np.diag(1.0 + self.scale_factor.draw((3,), generator))
-        matrix[OFF_DIAGONAL] = self.misalignment.draw((6,), generator)
-        return matrix
+    def draw(
+        self, shape: tuple[int, ...], generator: np.random.Generator
+    ) -> tuple[Array, Array, Array]:
+        """Draw one unit: bias (3,), white noise of increments of this shape over the root of their
+        interval, and the matrix (3, 3) from true to sensed quantities."""
+        bias = self.bias.draw((3,), generator)
+        noise = generator.normal(0.0, self.random_walk, size=shape)
+        sensitivity = np.diag(1.0 + self.scale_factor.draw((3,), generator))
+        sensitivity[OFF_DIAGONAL] = self.misalignment.draw((6,), generator)
+        return bias, noise, sensitivity
 
 
 IDEAL_SENSORS = SensorErrorModel()

@@ -9,7 +9,7 @@ from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.mounting import Mounting
 from ins_eval.imu.sensor_error_model import IDEAL_SENSORS, SensorErrorModel
 from pyhrg.common.arrays import Array
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 
 @dataclass(frozen=True)

@@ -12,11 +12,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.error_model.aligning import model_alignment
+from ins_eval.error_model.dynamics import ATTITUDE, COUNT
 from ins_eval.error_model.effects import Effect, accelerometer_bias, misalignment
-from ins_eval.error_model.linear_model import AXES, LinearModel, linearize
+from ins_eval.error_model.linear_model import AXES, LinearModel, linearize, model_alignment
 from ins_eval.error_model.motion import Motion, sample_motion, step_mean
-from ins_eval.error_model.states import ATTITUDE, COUNT
 from ins_eval.mission_model import pattern_drift, signals
 from ins_eval.mission_model.alignment_at_rest import AlignmentAtRest
 from ins_eval.mission_model.gyro_map import TERMS

@@ -4,8 +4,8 @@ A gyro's bias turns its pattern as rotation does. The electronics subtract a cal
 the output alone, so that the pattern still turns by the whole bias B: 1 deg/h turns it by 0.6 deg
 in two hours, and changes the phase of a fourth harmonic by four times as much. The drift shifts the
 residual bias map b and the error of the detected angle along the pattern angle. The rate error is a
-sum of products of coefficients, and each product has its weight. Of B the mean and the fourth
-harmonic are modelled; b is the residual map of the warm gyro.
+sum of products of coefficients, and each product has its weight. The model has only the mean and
+the fourth harmonic of B. b is the map of the warm gyro that remains after calibration.
 """
 
 from dataclasses import dataclass
@@ -24,8 +24,8 @@ FOURTH_HARMONIC = 1 + 2 * HARMONICS.index(4)
 TURNING_TERMS = (0, FOURTH_HARMONIC, FOURTH_HARMONIC + 1)
 """Terms of the bias that turns the pattern: its mean and fourth harmonic."""
 COUNT = 2 * 2 * len(HARMONICS) * len(TURNING_TERMS)
-"""Number of products of a harmonic, of the bias and then of the scale factor, with one of
-`TURNING_TERMS`."""
+"""Number of products of two coefficients: one of a harmonic, of the bias map and then of the
+scale-factor map, and one of `TURNING_TERMS`."""
 STEP = 1.0
 """Step of the integration, s. Chosen: that of the linear model."""
 

@@ -1,21 +1,69 @@
-"""Position errors of many triads in one mission, by the linear error model, in parts.
-
-Method: docs/methods/mission_model.md.
+"""Position errors of many triads in one mission, by the linear error model, in parts; what the
+bench measured of them stands beside what flies. Method: docs/methods/mission_model.md.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.mission_model.alignment_at_rest import compute_second_order_error
+from ins_eval.mission_model.gyro_map import turn_weights
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.noise_weights import factor_covariances
 from ins_eval.mission_model.pattern_drift import compute_drift_products
 from ins_eval.mission_model.signals import ENVIRONMENT, STEADY, WARMING, slice_coefficients
-from ins_eval.mission_model.triad_block import TriadBlock
 from pyhrg.common.arrays import Array
 from pyhrg.noise.coefficients import COEFFICIENT_NAMES
+
+
+@dataclass(frozen=True)
+class TriadBlock:
+    """r triads of three gyros, along forward, right, down; SI.
+
+    What the bench measured of each gyro after calibration (`study.gyros.measured_gyro`):
+    fixed_stability, fixed_repeatability, circumference_stability, instability: (r, 3) rad/s;
+    random_walk: (r, 3) rad/sqrt(s);
+    fitted_map: (r, 2 TERMS, 3) coefficients of its map over the pattern angle itself;
+    map_per_kelvin: (r, 2 TERMS, 3) their change per kelvin;
+    map_variance: (r, 2 TERMS, 3) variance of their errors in another power-on.
+
+    What flies:
+    start_angle: (r, 3) pattern angle at power-on, rad;
+    rise: (r, 3) final temperature above that of the calibration, K;
+    in_flight: (r, COUNT, 3) coefficients of `signals` over the pattern's turn from that angle;
+    turning: (r, TURNING_TERMS, 3) bias that turns the pattern (`pattern_drift`), from that angle,
+    rad/s;
+    noise: (r, 4, 3) noise coefficients, SI, in the order of `COEFFICIENT_NAMES`;
+    accelerometers: (r, 3) biases, m/s^2;
+    mounting: (r, 2, 3) angles by which the input axis along each body axis leans towards the next
+    body axis, and towards the one after, rad;
+    seeds: (r, 2) entropy of each triad's noise in flight.
+    """
+
+    fixed_stability: Array
+    fixed_repeatability: Array
+    circumference_stability: Array
+    instability: Array
+    random_walk: Array
+    fitted_map: Array
+    map_per_kelvin: Array
+    map_variance: Array
+    start_angle: Array
+    rise: Array
+    in_flight: Array
+    turning: Array
+    noise: Array
+    accelerometers: Array
+    mounting: Array
+    seeds: NDArray[np.uint64]
+
+    def __len__(self) -> int:
+        return len(self.start_angle)
+
+    def select(self, rows: Sequence[int] | slice) -> "TriadBlock":
+        return TriadBlock(**{f.name: getattr(self, f.name)[rows] for f in fields(self)})
 
 
 @dataclass(frozen=True)
@@ -120,3 +168,18 @@ def draw_noise_errors(
     normal *= strengths[..., None]
     roots = np.moveaxis(factor_covariances(weights.noise), -1, -2).reshape(-1, rows)
     return (normal.reshape(len(seeds), -1) @ roots).reshape(len(seeds), -1, 2)
+
+
+AXES = ("forward", "right", "down")
+"""Body axes along which a gyro may point."""
+
+
+def compute_map_worth(weights: MissionWeights, covariance: Array, angle: float) -> Array:
+    """(3,) rms horizontal error at the mission's end, m, by one gyro along each body axis.
+
+    covariance: (2 TERMS, 2 TERMS) of its bias map, rad/s, and scale-factor map, over the pattern
+    angle, constant in the mission; angle: of the pattern when the mission begins, rad.
+    """
+    carried = turn_weights(weights.gyros[-1:], np.full(len(AXES), angle))[0]
+    power = np.einsum("ica,cd,ida->a", carried, covariance, carried)
+    return np.asarray(np.sqrt(np.maximum(power, 0.0)))

@@ -5,6 +5,10 @@ factor is the error of the detected pattern angle, as a rate. When the harmonic 
 detected angle moves, even at rest: 3 ppm/K of an electrode's gain make a bias of 0.02 deg/h while
 the gyro warms by 2 K in a minute. Maps change with warmth w as a w + b w^2, because a calibrated
 gyro has the small difference of large terms, and each of these has its own curve.
+
+After power-on the case approaches its final temperature with the time constant `CASE_WARM_UP`. The
+resonator follows the case with `WARM_UP`. Both begin at the temperature of the calibration. Warmth
+is the share, 0 to 1, of the final rise of temperature. Times are seconds since the alignment.
 """
 
 from collections.abc import Callable
@@ -24,13 +28,34 @@ from ins_eval.error_model.effects import (
 from ins_eval.error_model.motion import PARTS, Motion
 from ins_eval.imu.gyros import case_axes
 from ins_eval.mission_model.gyro_map import HARMONICS, TERMS
-from ins_eval.mission_model.missions import CASE_WARM_UP
-from ins_eval.mission_model.warming import (
-    compute_case_warming_rate,
-    compute_resonator_warming_rate,
-    compute_resonator_warmth,
-)
+from ins_eval.mission_model.missions import CASE_WARM_UP, STILL, WARM_UP
 from pyhrg.common.arrays import Array
+
+
+def compute_case_warmth(time: Array) -> Array:
+    return np.asarray(1 - np.exp(-(time + STILL) / CASE_WARM_UP))
+
+
+def compute_case_warming_rate(time: Array) -> Array:
+    """Rate of the case's warmth, 1/s."""
+    return np.asarray(np.exp(-(time + STILL) / CASE_WARM_UP) / CASE_WARM_UP)
+
+
+def compute_resonator_warmth(time: Array) -> Array:
+    resonator, case = _compute_lags(time)
+    return np.asarray(1 - (WARM_UP * resonator - CASE_WARM_UP * case) / (WARM_UP - CASE_WARM_UP))
+
+
+def compute_resonator_warming_rate(time: Array) -> Array:
+    """Rate of the resonator's warmth, 1/s."""
+    resonator, case = _compute_lags(time)
+    return np.asarray((resonator - case) / (WARM_UP - CASE_WARM_UP))
+
+
+def _compute_lags(time: Array) -> tuple[Array, Array]:
+    since = time + STILL
+    return np.exp(-since / WARM_UP), np.exp(-since / CASE_WARM_UP)
+
 
 Regressor = Callable[[Motion], Array]
 

@@ -13,7 +13,7 @@ from ins_eval.navigation.coefficients import derive_coefficients
 from ins_eval.navigation.height import Height
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 
 def navigate(

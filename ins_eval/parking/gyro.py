@@ -1,20 +1,104 @@
-"""A gyro with its maker's maps: parked by them, and corrected by them."""
+"""A gyro with its maker's maps: parked by them, and corrected by them, in the cases that are
+compared.
 
+Where to park: pattern angles at which a bias map leaves least error while the pattern creeps. A
+level gyro's pattern goes away from where it was parked by what the gyro measures: Earth's rate, the
+vehicle's curvature, pitch and roll. So it is the map within that reach that counts, to both sides,
+for the heading is not known at power-on.
+"""
+
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from enum import Enum
 
 import numpy as np
 
 from ins_eval.imu.gyros import GyroOutput, resolve_force_in_case, simulate_gyro, with_start_up
-from ins_eval.parking.angle import find_flattest_extreme, find_flattest_zero
-from ins_eval.parking.case import Known, Start
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.calibration.calibration import apply_maps, plan_power_ons
 from pyhrg.bench.calibration.calibration_maps import fit_maps, make_angle_map
 from pyhrg.bench.estimation.harmonics import make_columns
 from pyhrg.common.arrays import Array
+from pyhrg.common.units import DEG
 from pyhrg.device.device import AngleMap, Device
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
+
+
+class Start(Enum):
+    """Pattern angle of the level gyros at power-on."""
+
+    AS_IT_COMES = "each gyro's own angle, of any value"
+    ZERO = "parked where the map crosses its mean"
+    FLAT = "parked where the map is flattest"
+
+
+class Known(Enum):
+    """What is taken out of the output."""
+
+    MEAN = "the map's mean"
+    AT_START = "of level gyros the map's value where the pattern stands when alignment begins"
+    MAP = "bias and scale-factor maps of all gyros, by their electronics"
+
+
+@dataclass(frozen=True)
+class Case:
+    """name: in files; label: in words. The vertical gyro starts as it comes in all of them."""
+
+    name: str
+    label: str
+    start: Start
+    known: Known
+
+
+TODAY = Case("random_mean", "any angle, mean bias taken out", Start.AS_IT_COMES, Known.MEAN)
+LIMIT = Case("map", "any angle, whole maps taken out", Start.AS_IT_COMES, Known.MAP)
+CASES = (
+    TODAY,
+    Case(
+        "random_at_start",
+        "any angle, bias there taken out",
+        Start.AS_IT_COMES,
+        Known.AT_START,
+    ),
+    Case("zero_mean", "parked at a zero, mean bias taken out", Start.ZERO, Known.MEAN),
+    Case("flat_at_start", "parked at an extreme, bias there taken out", Start.FLAT, Known.AT_START),
+    LIMIT,
+)
+"""All cases; the others are compared with the first."""
+
+
+BiasMap = Callable[[Array], Array]
+"""Bias, rad/s, at pattern angles (...), rad; of period pi."""
+
+REACH = 6.0 * DEG
+"""Half width of the pattern angles about the parked one that count, rad. Chosen: Earth's level rate
+turns the pattern by up to 6.4 deg in 2 h at latitude 40 deg, and 2 deg of pitch by 0.6 deg. Turns
+with roll add to that, always one way."""
+_CANDIDATES = np.arange(0.0, 180.0, 0.1) * DEG
+_WITHIN = np.linspace(-REACH, REACH, 25)
+
+
+def find_flattest_zero(bias: BiasMap) -> float:
+    """Angle, rad, about which the bias differs least from its mean, for a gyro whose mean bias is
+    calibrated: the map's flattest zero."""
+    mean = float(np.mean(bias(_CANDIDATES)))
+    return _find_least(bias(_within_reach()) - mean)
+
+
+def find_flattest_extreme(bias: BiasMap) -> float:
+    """Angle, rad, about which the bias varies least from its own value, for a gyro whose bias there
+    is calibrated: the map's flattest extreme."""
+    return _find_least(bias(_within_reach()) - bias(_CANDIDATES)[:, None])
+
+
+def _within_reach() -> Array:
+    return np.asarray(_CANDIDATES[:, None] + _WITHIN)
+
+
+def _find_least(residual: Array) -> float:
+    return float(_CANDIDATES[np.argmin(np.mean(residual**2, axis=1))])
+
 
 ANGLES = {Start.ZERO: find_flattest_zero, Start.FLAT: find_flattest_extreme}
 

@@ -18,7 +18,7 @@ from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 INTERVAL = 0.01
 """Duration of the IMU's increments, s."""

@@ -9,8 +9,8 @@ from fmu_build.bundle import build_fmu
 from ins_eval.common.metrics import MIN_SAMPLE_FOR_MEDIAN
 from ins_eval.mission_model.missions import STILL
 from ins_eval.parking import report
-from ins_eval.parking.figure import plot_comparison
 from ins_eval.parking.mission import sample_mission
+from ins_eval.parking.report import plot_comparison
 from ins_eval.parking.study import Comparison, compare
 from ins_eval.trajectories.catalogue import load_trajectory
 from pyhrg.common.arguments import check_seed, check_whole_minutes, check_whole_number

@@ -1,11 +1,8 @@
 """The experiment: triads flown with their level gyros' patterns parked, and not."""
 
-import threading
-from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable
 from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import TypeVar
 
 import numpy as np
 
@@ -20,9 +17,6 @@ from pyhrg.common.arguments import count_cores
 from pyhrg.common.arrays import Array
 from pyhrg.device.ready_devices import TYPICAL, Device
 from pyhrg.fmu import GyroFmu
-
-Item = TypeVar("Item")
-Result = TypeVar("Result")
 
 
 @dataclass(frozen=True)
@@ -81,8 +75,6 @@ def compare(
     `plan` (`measure_maps`); `progress` is called with the gyro minutes done and those of all.
     """
     fmu = GyroFmu(fmu_path)
-    fmu.prepare()
-    fmu.stop = threading.Event()
     truth = mission.truth
 
     def fly(seeds: np.random.SeedSequence) -> TriadFlights:
@@ -94,11 +86,10 @@ def compare(
         return fly_triad(gyros, velocity, mission)
 
     one_triad = DRIVES * len(mission.time)
-    flown = map_in_threads(
+    flown = fmu.map(
         fly,
         np.random.SeedSequence(seed).spawn(triads),
-        fmu.stop,
-        workers,
+        workers or count_cores(),
         lambda done: progress(done * one_triad, triads * one_triad) if progress else None,
     )
     by_triad = {
@@ -108,27 +99,3 @@ def compare(
     return Comparison(
         seed=seed, device=device.name, mission=mission.name, time=mission.time, **by_triad
     )
-
-
-def map_in_threads(
-    work: Callable[[Item], Result],
-    items: Sequence[Item],
-    stop: threading.Event,
-    workers: int | None = None,
-    report: Callable[[int], object] = lambda done: None,
-) -> list[Result]:
-    """Apply `work` to all items on several threads, and return the results in their order.
-
-    `work` should release the interpreter lock; `stop` is set when a call fails, so that running
-    calls can end early; `report` is called with the number of results, after each.
-    """
-    results = []
-    with ThreadPoolExecutor(workers or count_cores()) as pool:
-        try:
-            for result in pool.map(work, items):
-                results.append(result)
-                report(len(results))
-        except BaseException:
-            stop.set()
-            raise
-    return results

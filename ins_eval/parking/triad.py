@@ -8,11 +8,10 @@ import numpy as np
 
 from ins_eval.imu.gyros import GyroOutput
 from ins_eval.mission_model.missions import STILL
-from ins_eval.parking.case import CASES, LIMIT, Case, Known, Start
-from ins_eval.parking.gyro import MappedGyro
+from ins_eval.parking.gyro import CASES, LIMIT, Case, Known, MappedGyro, Start
 from ins_eval.parking.mission import INTERVAL, Mission, find_ready_time
 from pyhrg.common.arrays import Array
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 VERTICAL = 2
 """Axis of the gyro that is not parked: turns of the vehicle take its pattern all round."""
@@ -20,10 +19,11 @@ DRIVES = 10
 """Simulations of a gyro through the mission, a triad: three as they come, two level ones parked at
 each of two angles, three with maps."""
 RECORDS = ("running", "ready", "valid", "power_on")
-"""What alignment uses of the five minutes: all, of gyros that run already when they begin; from
-when the last gyro is ready; from when the last output is valid; all."""
+"""Which part of the five minutes at rest alignment uses. `running`: all, with gyros that were
+switched on before; `ready`: from when the last gyro is ready; `valid`: from when the last output is
+valid; `power_on`: all, with gyros that are switched on as they begin."""
 RUNNING = 60.0
-"""Time for which those gyros run before the five minutes begin, s."""
+"""Time from switch-on to the five minutes in the case `running`, s."""
 
 
 @dataclass(frozen=True)

@@ -14,8 +14,7 @@ from ins_eval.position.position import (
     PositionRequest,
     compute_mission_gaps,
 )
-from ins_eval.position.report import build_section
-from ins_eval.position.sentences import write_sentences
+from ins_eval.position.report import build_section, write_sentences
 from pyhrg.common.arguments import check_number, check_seed, check_whole_number
 from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.files import write_whole

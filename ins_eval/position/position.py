@@ -10,12 +10,14 @@ from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import StudyMission, plan_mission
 from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.position.diagnosis import DiagnosedGyro
-from ins_eval.position.gyro import Gyro, measure_gyro
-from ins_eval.position.residual_bound import ResidualBound, bound_residual_error
 from ins_eval.position.triad_errors import (
+    Gyro,
+    ResidualBound,
+    bound_residual_error,
     compute_error_parts,
     compute_noise_rms,
     draw_power_on_angles,
+    measure_gyro,
 )
 from ins_eval.study.cosimulated import Agreement, compare_errors, cosimulate, sample_truth
 from ins_eval.study.gyros.drawn_triad import DrawnTriad

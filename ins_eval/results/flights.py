@@ -1,14 +1,22 @@
-"""Flights as labelled arrays: `xarray` Datasets whose variables carry their units."""
+"""Flights as labelled arrays and as tables.
+
+The arrays are `xarray` Datasets whose variables carry their units. A table has one row a run and
+time, and the unit in each column's name.
+"""
 
 from collections.abc import Sequence
+from pathlib import Path
 
 import numpy as np
+import pandas as pd
+import pyarrow as pa
+import pyarrow.parquet as pq
 import xarray as xr
 
 from ins_eval.common.rotation import euler_from_mat
 from ins_eval.common.state import Track, TrackError, track_error
 from ins_eval.results import quantities
-from ins_eval.results.quantities import Quantity
+from ins_eval.results.quantities import ALL, BY_COLUMN, BY_NAME, Quantity
 from pyhrg.common.arrays import Array
 
 POSITION, VELOCITY, ATTITUDE = slice(0, 3), slice(3, 6), slice(6, 9)
@@ -93,3 +101,31 @@ def _dataset(time: Array, names: Sequence[Quantity], columns: Array) -> xr.Datas
         },
         coordinates,
     )
+
+
+def tabulate(dataset: xr.Dataset) -> pd.DataFrame:
+    """One row a run and time; what all runs share is repeated."""
+    table = dataset.to_dataframe(dim_order=[d for d in ("run", "time") if d in dataset.dims])
+    table = table.reset_index().rename(columns={name: BY_NAME[name].column for name in BY_NAME})
+    return table[[quantity.column for quantity in ALL if quantity.column in table]]
+
+
+def write_table(table: pd.DataFrame, path: Path) -> None:
+    """Every digit: what is read back is the same to the last bit."""
+    table.to_csv(path, index=False, lineterminator="\n")
+
+
+def write_csv(dataset: xr.Dataset, path: Path) -> None:
+    write_table(tabulate(dataset), path)
+
+
+def write_parquet(dataset: xr.Dataset, path: Path) -> None:
+    """Each field's metadata holds `units` and `long_name` as well."""
+    table = pa.Table.from_pandas(tabulate(dataset), preserve_index=False)
+    fields = [field.with_metadata(BY_COLUMN[field.name].attributes) for field in table.schema]
+    pq.write_table(table.cast(pa.schema(fields)), path)
+
+
+def write_netcdf(dataset: xr.Dataset, path: Path) -> None:
+    """NetCDF 3, classic: needs no further library."""
+    dataset.to_netcdf(path, engine="scipy", format="NETCDF3_64BIT")

@@ -1,4 +1,6 @@
-"""The files of a study, from the results of all its triads: table, scores, report."""
+"""The files of a study, from the results of all its triads: table, scores, report. Scores of the
+linear model against the co-simulated samples, all without noise, are among them.
+"""
 
 import json
 from collections.abc import Iterator, Mapping
@@ -8,23 +10,32 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from ins_eval.study import lead
-from ins_eval.study.agreement import score_agreement
+from ins_eval.study import lead, phase_diagram
 from ins_eval.study.conditions import CONDITIONS
-from ins_eval.study.experiment import FLOWN, LEAD, open_missions, select_triads
+from ins_eval.study.experiment import (
+    FLOWN,
+    LEAD,
+    NOISELESS,
+    STEADY_LOOPS,
+    list_methods,
+    open_missions,
+    select_cosimulated,
+    select_errors,
+    select_triads,
+)
 from ins_eval.study.flight_table import Training, tabulate_flights, train_methods
 from ins_eval.study.gyros.makers_calibration import Method
-from ins_eval.study.phase import diagram
-from ins_eval.study.phase.diagram import (
+from ins_eval.study.phase_diagram import (
+    DURATION,
     compute_map_over_noise,
     compute_phase_diagram,
     compute_turning,
     write_rows,
 )
-from ins_eval.study.phase.turning import DURATION
 from ins_eval.study.predictors.class_constants import compute_constant
 from ins_eval.study.report import page
 from ins_eval.study.run.block import Arrays
+from ins_eval.study.scores.judge import judge_bounds
 from ins_eval.study.scores.resampling import bootstrap
 from ins_eval.study.scores.score_flights import score_flights
 from ins_eval.study.specification import CONDITION, MEAN, TEST, TRAIN, Study
@@ -37,10 +48,71 @@ from ins_eval.study.study_data import (
     check_study_data,
 )
 from ins_eval.study.tables import columns, score
+from ins_eval.study.tables.columns import TABLE, write_table
 from ins_eval.study.tables.score import ALL, Score
-from ins_eval.study.tables.table import TABLE, write_table
+from pyhrg.common.arrays import Array
 from pyhrg.common.made_by import list_versions
 from pyhrg.common.units import DEG, DEG_PER_H, HOUR
+
+LARGEST_RELATIVE_DIFFERENCE = 0.01
+"""Largest accepted ratio of the rms difference to the rms error. Chosen."""
+
+
+def score_agreement(study: Study, arrays: Arrays) -> list[Score]:
+    """Scores by sample, calibration and mission class, at the end; none without a sample."""
+    samples = (
+        (study.agreement, NOISELESS, score.AGREEMENT),
+        (study.steady_agreement, STEADY_LOOPS, score.STEADY_AGREEMENT),
+    )
+    return [
+        found
+        for size, flights, key in samples
+        if size
+        for found in _score_groups(study, arrays, flights, key)
+    ]
+
+
+def compute_relative_difference(linear: Array, nonlinear: Array) -> Array:
+    """(...,) ratio of the rms difference to the rms nonlinear error; errors are (..., r, m, 2)."""
+    difference = np.sum((linear - nonlinear) ** 2, axis=(-3, -2, -1))
+    return np.asarray(np.sqrt(difference / np.sum(nonlinear**2, axis=(-3, -2, -1))))
+
+
+def _score_groups(study: Study, arrays: Arrays, flights: str, key: str) -> Iterator[Score]:
+    classes = dict.fromkeys(mission.mission_class for mission in study.missions)
+    for method in list_methods(study):
+        for name in (ALL, *classes):
+            missions = [
+                number
+                for number, mission in enumerate(study.missions)
+                if name in (ALL, mission.mission_class)
+            ]
+            errors = zip(*_select_final_errors(arrays, method, missions, flights), strict=True)
+            samples = [np.stack(each, axis=1) for each in errors]
+            estimate = bootstrap(compute_relative_difference, samples, study.seed)
+            yield estimate.score(
+                score=key,
+                predictor="",
+                calibration=method,
+                mission_class=name,
+                role=ALL,
+                n=len(samples[0]),
+                seed=study.seed,
+                asked=f"<= {LARGEST_RELATIVE_DIFFERENCE:g}",
+                verdict=judge_bounds(estimate, high=LARGEST_RELATIVE_DIFFERENCE),
+            )
+
+
+def _select_final_errors(
+    arrays: Arrays, method: Method, missions: list[int], flights: str
+) -> Iterator[tuple[Array, Array]]:
+    """(r, 2) linear and nonlinear error of a sample at the end, for each mission."""
+    for number in missions:
+        nonlinear = select_cosimulated(arrays, method, number, flights)[:, -1]
+        done = np.isfinite(nonlinear).all(axis=-1)
+        error = select_errors(arrays, method, number)
+        yield (error.error - error.noise)[done, -1], nonlinear[done]
+
 
 PHASE_TABLE = "phase_diagram.csv"
 FILES = (TABLE, PHASE_TABLE, page.PAGE, DOCUMENT)
@@ -130,9 +202,9 @@ def _describe_phase_diagram(
             for planned, mission in zip(study.missions, missions, strict=True)
         }
     return {
-        "factor": diagram.FACTOR,
+        "factor": phase_diagram.FACTOR,
         "hours": DURATION / HOUR,
-        "start_angles": diagram.ANGLES,
+        "start_angles": phase_diagram.ANGLES,
         "rows": compute_phase_diagram(training, trained[MEAN].model.drift, study.seed),
         "missions": places,
     }

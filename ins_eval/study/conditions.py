@@ -11,7 +11,7 @@ import numpy as np
 
 from ins_eval.mission_model.gyro_map import TERMS, evaluate_terms
 from ins_eval.mission_model.missions import StudyMission, plan_mission
-from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.position_errors import TriadBlock
 from ins_eval.study.gyros.drawn_triad import (
     AXES,
     DrawnTriad,

@@ -22,7 +22,7 @@ from ins_eval.study.gyros.drift import Flight
 from ins_eval.study.gyros.true_maps import list_slow_parameters
 from pyhrg.common.arrays import Array
 from pyhrg.fmu import Gyro, GyroFmu, record_together
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 INTERVAL = 0.01
 """Interval of the IMU's increments, s. Chosen."""

@@ -11,8 +11,11 @@ from numpy.typing import NDArray
 
 from fmu_build.bundle import build_fmu
 from ins_eval.mission_model.missions import StudyMission, plan_mission
-from ins_eval.mission_model.position_errors import PositionErrors, compute_position_errors
-from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.position_errors import (
+    PositionErrors,
+    TriadBlock,
+    compute_position_errors,
+)
 from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.study import lead
 from ins_eval.study.conditions import CONDITIONS, ConditionSample

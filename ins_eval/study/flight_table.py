@@ -9,8 +9,7 @@ import pyarrow as pa
 
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.mission_weights import MissionWeights
-from ins_eval.mission_model.position_errors import PositionErrors
-from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.position_errors import PositionErrors, TriadBlock
 from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.study.conditions import CONDITIONS
 from ins_eval.study.experiment import (
@@ -34,7 +33,7 @@ from ins_eval.study.predictors.prediction_columns import (
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.specification import CONDITION, MEAN, Study
 from ins_eval.study.tables import columns
-from ins_eval.study.tables.table import make_table
+from ins_eval.study.tables.columns import make_table
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_H, HOUR, MICRO_G
 

@@ -8,10 +8,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
 
-from ins_eval.study.settings import Settings
 from ins_eval.trajectories.keys import Checked, quantity, whole
 from pyhrg.common.errors import describe_briefly
 
+Settings = Mapping[str, float]
+"""Values of a dataclass's fields, SI."""
 TRAIN, TEST, CONDITION = "train", "test", "condition"
 """Roles of triads: predictors are made on the training triads and judged on the test triads. A
 test triad in a condition is scored apart. Mission classes have no role: all are judged."""
@@ -75,7 +76,7 @@ class Study(Checked):
         left_out: recorded drives that the study names and that are not on this machine.
         calibrations: some of `CALIBRATIONS`.
         settings: settings that differ from the defaults, SI, by table of
-            `settings.SETTING_TABLES` and field.
+            `study_file.SETTING_TABLES` and field.
     """
 
     seed: int = whole(0, 2**63 - 1)

@@ -11,11 +11,11 @@ import pandas as pd
 from ins_eval.study.specification import CONDITION, MEAN
 from ins_eval.study.tables import columns
 from ins_eval.study.tables import score as scored
+from ins_eval.study.tables.columns import TABLE
 from ins_eval.study.tables.score import Score
-from ins_eval.study.tables.table import TABLE
 from pyhrg.common.errors import HrgError, quote
 from pyhrg.common.reading.documents import read_json
-from pyhrg.common.reading.failures import refuse_unreadable
+from pyhrg.common.reading.limits import refuse_unreadable
 from pyhrg.common.reading.parquet import read_parquet
 
 DOCUMENT = "study.json"

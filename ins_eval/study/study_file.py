@@ -1,26 +1,92 @@
-"""Studies as TOML files; an error names file, key, what was found and what was expected."""
+"""Studies as TOML files; an error names file, key, what was found and what was expected.
 
-from collections.abc import Iterator
+Each table of the file sets fields of a dataclass (`experiment.DEFAULT_SETTINGS`). A field that the
+file does not set keeps its default.
+"""
+
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from ins_eval.study.settings import SETTING_TABLES, read_settings
 from ins_eval.study.specification import (
     CALIBRATIONS,
     MEAN,
     PlannedMission,
+    Settings,
     Study,
     compute_fewest_judged,
 )
 from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.keys import build_from_table, keys
-from ins_eval.trajectories.recordings import find_recording
+from ins_eval.trajectories.recorded_drive import find_recording
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import is_file
 from pyhrg.common.reading.files import read_bytes
 from pyhrg.common.reading.limits import LOG_BYTES
-from pyhrg.common.toml_table import TomlTable, read_table
+from pyhrg.common.toml_table import Key, TomlTable, read_fields, read_table
+from pyhrg.common.units import DEG_PER_H, HOUR
+
+_POPULATION = (
+    Key("smallest_deg_h", "smallest", DEG_PER_H, 1e-4, 100),
+    Key("largest_deg_h", "largest", DEG_PER_H, 1e-4, 100),
+    Key("common_share", "common", 1, 0, 1),
+)
+_PLAN = (
+    Key("runs", "runs", 1, 1, 100, whole=True),
+    Key("fixed_runs", "fixed_runs", 1, 2, 100, whole=True),
+    Key("positions", "positions", 1, 16, 720, whole=True),  # nine terms of a map
+    Key("segments", "segments", 1, 1, 36, whole=True),
+    Key("fixed_segments", "fixed_segments", 1, 2, 360, whole=True),
+    Key("periods", "periods", 1, 1, 100, whole=True),
+)
+SETTING_TABLES: Mapping[str, tuple[Key, ...]] = {
+    "trimmed": _POPULATION,
+    "raw": _POPULATION,
+    "calibration": _PLAN,
+    "bench": _PLAN,
+    "drift": (
+        Key("age_days", "age", 24 * HOUR, 0, 7300),
+        Key("coolest_K", "coolest", 1, -80, 80),
+        Key("warmest_K", "warmest", 1, -80, 80),
+    ),
+}
+"""Keys by table: gyros that are calibrated at the mean, gyros whose map is calibrated, the maker's
+tests, the bench's tests, and what changes between calibration and flight."""
+ORDERED_PAIRS = (
+    ("trimmed", "smallest", "largest"),
+    ("raw", "smallest", "largest"),
+    ("drift", "coolest", "warmest"),
+)
+"""Table, lower and upper end of each range; a file states both ends or neither."""
+
+
+def read_settings(top: TomlTable) -> dict[str, Settings]:
+    """Settings of the tables that a study file has.
+
+    Raises:
+        HrgError: an unknown key, a value out of range, a range of which one end is
+            missing or whose lower end is above the upper one.
+    """
+    read: dict[str, Settings] = {
+        name: read_fields(top.table(name), SETTING_TABLES[name])
+        for name in SETTING_TABLES
+        if name in top.values
+    }
+    for name, low, high in ORDERED_PAIRS:
+        if name in read:
+            _check_ends(top.table(name), read[name], low, high)
+    return read
+
+
+def _check_ends(table: TomlTable, found: Settings, low: str, high: str) -> None:
+    keys = {key.field: key.name for key in SETTING_TABLES[table.prefix.removesuffix(".")]}
+    for one, other in ((low, high), (high, low)):
+        if one in found and other not in found:
+            raise table.missing(keys[other], f"a number beside {keys[one]}")
+    if low in found and found[low] > found[high]:
+        raise table.error(keys[high], table.values[keys[high]], f"{keys[low]} or more")
+
 
 _FOLDER = Path(__file__).with_name("ready")
 READY = tuple(sorted(path.stem for path in _FOLDER.glob("*.toml")))
@@ -52,7 +118,7 @@ def read_study(path: Path, seed: int | None = None) -> Study:
         path: TOML. The top has the keys of `Study`. Each of `[[missions]]` has `name` (of a ready
             mission), `file` (relative to this one's folder) or `recorded` (a recorded drive, which
             is left out where it does not exist); further `class` and, if it differs
-            from the study's, `hours`. Tables are those of `settings.SETTING_TABLES`.
+            from the study's, `hours`. Tables are those of `SETTING_TABLES`.
 
     Raises:
         HrgError: an unreadable file; a key that is unknown or missing; a value out of

@@ -1,6 +1,12 @@
-"""Recorded drives: read from CSV, checked, and repeated with smooth joints to any duration."""
+"""Recorded drives: read from CSV, checked, and repeated with smooth joints to any duration.
+
+Those that are not part of the package, because their licence forbids it, stand in a folder named by
+the environment variable `HRG_REAL`; without it, it is `shared/real` beside the folder of the
+project.
+"""
 
 import math
+import os
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,9 +18,18 @@ from ins_eval.trajectories.errors import check_durations
 from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError, quote
-from pyhrg.common.reading.csv_rows import parse_csv
+from pyhrg.common.reading.documents import parse_csv
 from pyhrg.common.reading.files import decode, read_unpacked
 from pyhrg.common.reading.limits import LARGEST_NUMBER
+
+DEFAULT_FOLDER = Path(__file__).parents[3] / "shared" / "real"
+
+
+def find_recording(name: str) -> Path | None:
+    """Return the path of a recorded drive by its file's name; None if the file does not exist."""
+    path = Path(os.environ.get("HRG_REAL", DEFAULT_FOLDER)) / name
+    return path if path.is_file() else None
+
 
 LIMITS = {
     "time_s": (-LARGEST_NUMBER, LARGEST_NUMBER),

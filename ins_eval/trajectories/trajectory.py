@@ -12,7 +12,7 @@ from ins_eval.common import earth
 from ins_eval.common.rotation import body_rate_from_euler, mat_from_euler
 from ins_eval.common.state import State, Track
 from pyhrg.common.arrays import Array
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(3)
 _SLACK = 1e-6

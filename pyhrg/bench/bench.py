@@ -1,16 +1,14 @@
 """The virtual bench: simulates power-ons of a gyro on its FMU and logs them as a bench does."""
 
-import threading
 import zlib
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.programme import COMMANDS, HELD_INPUTS, LOGGED_COMMANDS, Programme
+from pyhrg.bench.programme import COMMANDS, HELD_INPUTS, LOGGED_COMMANDS, Programme, make_course
 from pyhrg.bench.store import Store, compute_key
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
@@ -88,17 +86,7 @@ class Bench:
                 f"a plan of {len(power_ons)} power-ons with {rows} rows: expected at most "
                 f"{MAX_TEST_ROWS} rows"
             )
-        self.fmu.prepare()
-        stop = threading.Event()
-        self.fmu.stop = stop
-        with ThreadPoolExecutor(self.workers) as pool:
-            try:
-                return list(pool.map(self.log, power_ons))
-            except BaseException:
-                stop.set()
-                raise
-            finally:
-                self.fmu.stop = None
+        return self.fmu.map(self.log, power_ons, self.workers)
 
     def power_on(self, identity: str, start_angle: float | None = None) -> Gyro:
         """The gyro, switched on, with noise, start angle and parameters drawn for this power-on.
@@ -106,6 +94,13 @@ class Bench:
         The same identity draws the same noise, angle and parameters. `start_angle`, rad, is drawn
         from the device's scatter if None.
         """
+        parameters, seed, angle = self.draw_power_on(identity, start_angle)
+        return self.fmu.power_on(parameters, seed, angle)
+
+    def draw_power_on(
+        self, identity: str, start_angle: float | None = None
+    ) -> tuple[dict[str, float], int, float]:
+        """Parameters of the FMU by name, seed and start angle, rad, of `power_on`."""
         key = zlib.crc32(identity.encode())
         generator = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(key,)))
         seed = int(generator.integers(2**31))
@@ -113,8 +108,7 @@ class Bench:
         angle = drawn if start_angle is None else start_angle
         missing = LOOP_FREQUENCIES - self.fmu.references.keys()
         values = self.device.draw_turn_on(generator).items()
-        parameters = {name: value for name, value in values if name not in missing}
-        return self.fmu.power_on(parameters, seed, angle)
+        return {name: value for name, value in values if name not in missing}, seed, angle
 
     def log(self, power_on: PowerOn) -> Test:
         """Test of one power-on: simulated, or from the store where an interrupted run kept it."""
@@ -140,7 +134,7 @@ class Bench:
         commands = {name: programme.values(name) for name in COMMANDS}
         held = {name: commands[name] for name in HELD_INPUTS}
         with self.power_on(power_on.id, power_on.start_angle) as gyro:
-            moving = self._moving_inputs(programme, commands["axis_up"])
+            moving = self._moving_inputs(programme)
             outputs = record_rows(gyro, moving, held, self.step)
         columns: dict[str, Any] = {
             "time": np.arange(1, len(programme) + 1) * programme.interval,
@@ -157,22 +151,11 @@ class Bench:
             self.device.name or NAMELESS, self.device.site, nominal(self.device), tuple(tests)
         )
 
-    def _moving_inputs(self, programme: Programme, axis_up: Array) -> dict[str, Array]:
+    def _moving_inputs(self, programme: Programme) -> dict[str, Array]:
         """(n, m) inputs that change within a row, in each communication step, SI."""
-        steps = round(programme.interval / self.step)
-        if steps < 1 or abs(steps * self.step - programme.interval) > 1e-9:
-            raise ValueError(
-                f"rows of {programme.interval:g} s are no multiple of the step {self.step:g} s"
-            )
-        share = compute_step_middles(steps)
-        rate = interpolate_rows(programme.table_rate, share)
-        begun = np.concatenate(([0.0], programme.table_angle[:-1]))[:, None]
-        swept = programme.interval * share * interpolate_rows(programme.table_rate, share / 2)
-        earth = compute_earth_rate(self.device, axis_up[:, None], begun + swept)
-        return {
-            "angularRate": rate + earth,
-            "caseTemperature": interpolate_rows(programme.temperature, share),
-        }
+        course = make_course(programme, self.step)
+        earth = compute_earth_rate(self.device, course.each("axis_up"), course.table_angle)
+        return {"angularRate": course.rate + earth, "caseTemperature": course.temperature}
 
 
 def record_rows(
@@ -227,13 +210,3 @@ def compute_earth_rate(device: Device, axis_up: Array, table_angle: Array) -> Ar
     azimuth = table_angle + device.misalignment_direction
     site = replace(device.site, latitude=device.site.latitude + device.latitude_error)
     return site.compute_earth_rate(axis_up, device.misalignment, azimuth)
-
-
-def compute_step_middles(steps: int) -> Array:
-    """(m,) middles of the m equal steps of a row, as shares of the row."""
-    return np.asarray((np.arange(steps) + 0.5) / steps)
-
-
-def interpolate_rows(bounds: Array, share: Array) -> Array:
-    """(n, m) values within n rows, linear between their bounds."""
-    return np.asarray(bounds[:-1, None] + np.diff(bounds)[:, None] * share)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.device.device import Device
 from pyhrg.records.campaign import Campaign, Test
+from pyhrg.records.table import fold_absent_columns
 
 
 @dataclass(frozen=True)
@@ -69,5 +70,7 @@ def require_tests(campaign: Campaign, *kinds: str) -> list[Test]:
 
 
 def list_exclusions(tests: Sequence[Test]) -> tuple[str, ...]:
-    """A sentence on each part of the tests' logs that the reader excluded, with the file's name."""
-    return tuple(f"{test.log.source}: {text}" for test in tests for text in test.log.exclusions)
+    """A sentence on each part of the tests' logs that is missing or that the reader excluded, with
+    the file's name."""
+    notes = ((test.log.source, fold_absent_columns(test.log.exclusions)) for test in tests)
+    return tuple(f"{source}: {text}" for source, texts in notes for text in texts)

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pyhrg.challenge.campaigns.course import make_course
+from pyhrg.bench.programme import make_course
 from pyhrg.challenge.campaigns.gyro import TrueGyro
 from pyhrg.challenge.campaigns.instruments import Instruments
 from pyhrg.challenge.campaigns.laboratory import (

@@ -8,9 +8,8 @@ from typing import Any
 import tomli_w
 
 from pyhrg.common.files import write_whole
-from pyhrg.common.keys import Key, read_fields
 from pyhrg.common.site import Site
-from pyhrg.common.toml_table import TomlTable, read_table
+from pyhrg.common.toml_table import Key, TomlTable, read_fields, read_table
 from pyhrg.device.device import FMU_NAMES, AngleMap, Device
 from pyhrg.device.keys import KEYS, MAPS, SITE_KEYS
 

@@ -2,7 +2,7 @@
 
 from dataclasses import fields
 
-from pyhrg.common.keys import Key
+from pyhrg.common.toml_table import Key
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H
 from pyhrg.device.declarations import read_declarations
 from pyhrg.device.device import AngleMap, Device

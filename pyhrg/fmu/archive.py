@@ -13,9 +13,8 @@ from numpy.typing import NDArray
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import make_aside
 from pyhrg.common.reading.archives import open_archive
-from pyhrg.common.reading.failures import refuse_unreadable
 from pyhrg.common.reading.files import read_bytes
-from pyhrg.common.reading.limits import LOG_BYTES
+from pyhrg.common.reading.limits import LOG_BYTES, refuse_unreadable
 
 
 class GyroError(HrgError):

@@ -1,8 +1,10 @@
 """The FMU of a gyro, ready to be switched on as often as asked."""
 
 import threading
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import TypeVar
 
 import numpy as np
 
@@ -10,6 +12,8 @@ from pyhrg.fmu.archive import Archive
 from pyhrg.fmu.gyro import Gyro
 from pyhrg.fmu.instance import Instance
 
+Item = TypeVar("Item")
+Result = TypeVar("Result")
 _LOADING = threading.Lock()
 """FMPy changes the working directory while it loads a library."""
 
@@ -52,6 +56,33 @@ class GyroFmu(Archive):
                 rest, on = np.zeros((1, 1)), np.ones(1)
                 gyro.record({"angularRate": rest}, {"driveOn": on}, 0.01, ["gyroAngle"], ["valid"])
             self._prepared = True
+
+    def map(
+        self,
+        work: Callable[[Item], Result],
+        items: Sequence[Item],
+        workers: int,
+        report: Callable[[int], object] = lambda done: None,
+    ) -> list[Result]:
+        """Results of work with gyros of this FMU on several threads, in the order of the items.
+
+        A failure or an interruption sets `stop`; `report` is called with the number of results,
+        after each.
+        """
+        self.prepare()
+        self.stop = threading.Event()
+        results = []
+        with ThreadPoolExecutor(workers) as pool:
+            try:
+                for result in pool.map(work, items):
+                    results.append(result)
+                    report(len(results))
+            except BaseException:
+                self.stop.set()
+                raise
+            finally:
+                self.stop = None
+        return results
 
     def _give_back(self, instance: Instance) -> None:
         with _LOADING:

@@ -18,8 +18,12 @@ COMMANDS = frozenset({"virtualRotation", "amplitudeSetpoint", "phaseOffset", "dr
 class Layout(NamedTuple):
     """What rows hold.
 
-    step: communication step, s; tick: control period, s, 0 for a gyro without; commands: how many
-    held inputs are `COMMANDS`, which come first; moving, held, ends, means: value references.
+    step: communication step, s.
+    tick: control period, s; 0 for a gyro without one.
+    commands: number of held inputs that are `COMMANDS`; these come first.
+    moving, held: value references of inputs that change within a row, and of those that are
+        constant in it.
+    ends, means: value references of outputs at the end of a row, and of those averaged over it.
     """
 
     step: float

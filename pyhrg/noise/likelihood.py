@@ -57,7 +57,7 @@ def divide_into_bands(n: int) -> Bands:
     starts = _place_band_starts(n - 1)
     count = np.diff(starts, append=n - 1).astype(np.float64)
     harmonics = np.exp(np.add.reduceat(np.log(np.arange(1, n)), starts) / count)
-    return Bands(starts, count, harmonics, _compute_shapes(harmonics / (2 * n)))
+    return Bands(starts, count, harmonics, compute_shapes(harmonics / (2 * n)))
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,7 @@ def _place_band_starts(coefficients: int) -> NDArray[np.int64]:
     return np.unique(np.concatenate([np.arange(SINGLE_BANDS), wide[:-1].astype(np.int64)]))
 
 
-def _compute_shapes(frequency: Array) -> Array:
+def compute_shapes(frequency: Array) -> Array:
     """(4, b) densities of sampled angles: the sum of omega^-p over all aliases, by Hurwitz' zeta.
 
     Frequencies are (b,) cycles a sample, below 1/2.

@@ -73,12 +73,10 @@ class Log:
         Raises:
             LogError: one has none.
         """
-        present = [c.name for c in COLUMNS if np.isfinite(getattr(self, c.field)).any()]
-        missing = [BY_FIELD[f].name for f in fields if BY_FIELD[f].name not in present]
+        missing = [BY_FIELD[field].name for field in fields if not self.has_values(field)]
         if missing:
             raise LogError(
-                f"{self.source}: column {', '.join(missing)} is missing or has no values; "
-                f"found {', '.join(present)}"
+                f"{self.source}: column {', '.join(missing)} is missing or has no values"
             )
 
     def has_values(self, *fields: str) -> bool:

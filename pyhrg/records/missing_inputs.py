@@ -9,6 +9,7 @@ from pyhrg.common.site import EARTH_RATE
 from pyhrg.device.device import Device
 from pyhrg.records.columns import BY_FIELD, LogError
 from pyhrg.records.log import Log
+from pyhrg.records.table import ABSENT_COLUMN
 
 TURNING_RATE = 10 * EARTH_RATE
 """Mean rate of the output over `TURNING_TIME` above which the gyro turned, rad/s. Chosen: Earth's
@@ -34,7 +35,8 @@ def add_missing_inputs(
     log: Log, nominal: Device, without: tuple[str, ...] = ()
 ) -> tuple[Log, list[str]]:
     """The log with the input columns that it lacks as on the nominal device at rest, and sentences
-    that name them; `axis_up` is taken from the specific force along z.
+    that name them in place of the log's own notes; `axis_up` is taken from the specific force along
+    z.
 
     Fields in `without` stay as they are.
 
@@ -64,4 +66,6 @@ def add_missing_inputs(
     added: dict[str, Any] = {field: defaults[field] for field in missing}
     if added:
         notes.append(note_missing_inputs(*added))
-    return replace(log, **added), notes
+    absent = {ABSENT_COLUMN + BY_FIELD[field].name for field in (*added, "axis_up")}
+    kept = tuple(note for note in log.exclusions if note not in absent)
+    return replace(log, **added, exclusions=kept), notes

@@ -40,7 +40,8 @@ def check_units(table: Table, interval: float, any_sign: bool) -> None:
 
 
 def check_earth_rate(table: Table, interval: float, latitude: float) -> None:
-    """Compare the gyro's rate with Earth's, which alone shows that every angle is in radians.
+    """Compare the gyro's rate with Earth's. Where all angles have the same wrong unit, only this
+    comparison finds it.
 
     At rest it is the gyro's rate that is compared; where the table turns at up to `MAX_SLOW_RATE`,
     it is the gyro's rate less the table's. The interval is in s, the site's latitude in rad.

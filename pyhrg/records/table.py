@@ -1,6 +1,6 @@
 """A log's file as a table of numbers: CSV, gzipped or not, every field checked."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import quote
-from pyhrg.common.reading.csv_rows import iterate_lines, parse_csv
+from pyhrg.common.reading.documents import iterate_lines, parse_csv
 from pyhrg.common.reading.files import decode, read_unpacked
 from pyhrg.records.columns import BY_FIELD, COLUMNS, Column, LogError, find_mislabelled_column
 
@@ -95,6 +95,16 @@ def fold_absent_columns(notes: Sequence[str]) -> list[str]:
     others = [note for note in notes if not note.startswith(ABSENT_COLUMN)]
     names = ", ".join(note.removeprefix(ABSENT_COLUMN) for note in absent)
     return [ABSENT_COLUMN + names, *others] if absent else others
+
+
+def merge_sources(sentences: Iterable[str]) -> list[str]:
+    """Sentences that each begin with a source and a colon; those that say the same of several
+    sources become one, which names them all."""
+    sources: dict[str, dict[str, None]] = {}
+    for sentence in sentences:
+        source, colon, text = sentence.partition(": ")
+        sources.setdefault(colon + (text or sentence), {})[source if colon else ""] = None
+    return [", ".join(named) + text for text, named in sources.items()]
 
 
 def read_text(path: Path, encoding: str = "utf-8-sig") -> str:

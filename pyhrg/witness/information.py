@@ -21,8 +21,9 @@ OUTPUT = 1
 class Confounded:
     """A direction among the mechanisms, in units of their prior standard deviations.
 
-    gain: standard deviation of the direction before the channels over that after them, less one's
-    square: 0 where the channels tell nothing; direction: (COUNT,) unit vector.
+    gain: eigenvalue of S J S (docs/methods/witness.md, Eq. 7), the information of the channels over
+        that of the prior's diagonal; 0 where they carry none on this direction.
+    direction: (COUNT,) unit vector.
     """
 
     gain: float

@@ -111,6 +111,11 @@ AT_REST: dict[str, tuple[Mapping[str, float], Mapping[str, float], Expected]] = 
         {},
         ("frequencyOffset", 2 * math.pi * 0.01 / 4 * ONE),
     ),
+    "electrostatic cubic: (delta/4) s8": (
+        {"electrostatic_cubic_Hz": 1e-3},
+        {},
+        ("quadratureForce", 2 * math.pi * 1e-3 / 4 * np.sin(8 * ANGLES)),
+    ),
     "the amplitude is held": ({"amplitude": 0.5}, {}, ("amplitude", 0.5 * ONE)),
     "feedthrough with split: (c dw^2/8k) s8''": (
         {**SPLIT, "feedthrough_s": 1e-3},
@@ -234,6 +239,16 @@ def test_scale_factor(fmu: GyroFmu, keys: Mapping[str, float], error: float) -> 
         with gyro(fmu, keys, 0.1) as running:
             measured = advance(running, rate, 50.0) / (50 * rate) - 1
         assert measured + HOLD / TAU == pytest.approx(error, abs=5e-8)
+
+
+@pytest.mark.parametrize("rate", [1.0, -1.0])
+def test_sampling_skew(fmu: GyroFmu, rate: float) -> None:
+    """W (ts/2)(1 + c4) of angle, odd in the rate, to 1 %."""
+    skew = 1e-4
+    with gyro(fmu, {"sampling_skew_s": skew}, 0.1) as running, gyro(fmu, {}, 0.1) as plain:
+        error = advance(running, rate, 2.0) - advance(plain, rate, 2.0)
+        expected = rate * skew / 2 * (1 + math.cos(4 * plain.read("patternAngle")))
+    assert error == pytest.approx(expected, abs=0.01 * skew)
 
 
 WARMED: dict[str, tuple[Mapping[str, float], str, np.ndarray]] = {

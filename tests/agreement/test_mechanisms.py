@@ -216,6 +216,17 @@ def test_14_duffing_with_quadrature_is_a_constant_bias(fmu: GyroFmu) -> None:
     assert close(quarter["frequencyOffset"]["0"], delta / 4, delta / 4)
 
 
+def test_33_electrostatic_cubic_is_an_eighth_harmonic(fmu: GyroFmu) -> None:
+    """N = (delta/4) s8 and P = -delta (3 + c8)/4, with V^2; nothing in the fourth."""
+    delta, voltage = 0.02, 1.1
+    got = at_rest(fmu, {"resonator.material.electrostaticCubic": delta}, {"biasVoltage": voltage})
+    size = delta * voltage**2
+    assert close(got["quadratureForce"]["8"], 1j * size / 4, size)
+    assert close(got["frequencyOffset"]["0"], -0.75 * size, size)
+    assert close(got["frequencyOffset"]["8"], -size / 4, size)
+    assert abs(got["quadratureForce"]["4"]) < 1e-3 * size
+
+
 @pytest.mark.parametrize("delay", [0.0, 5e-4, 3e-3])
 def test_15_loop_delay_is_a_scale_factor_error(fmu: GyroFmu, delay: float) -> None:
     """-(Ts/2 + td)/tau, odd in the rate."""

@@ -14,10 +14,10 @@ PARSERS = (
 )
 """Calls that only the boundary makes."""
 EXCEPTIONS = {
-    "fmu_build.bundle": "zipfile.ZipFile",  # writes
+    "fmu_build.archive.packing": "zipfile.ZipFile",  # writes
     "fmu_build.check.fmi_sim": "zipfile.ZipFile",  # writes
     "fmu_build.archive.documentation.info_pages": "ET.fromstring",  # of our own library
-    "ins_eval.study.run.identity": "json.loads",  # of what it has just written
+    "ins_eval.study.run.block": "json.loads",  # of what it has just written
 }
 OWN_FILES = {
     "fmu_build.archive.documentation.document",
@@ -31,12 +31,14 @@ OWN_FILES = {
     "ins_eval.study.challenge.challenge",
     "ins_eval.study.challenge.hand_out",
     "ins_eval.study.experiment",
+    "ins_eval.system.player.trajectory_fmu",
+    "ins_eval.system.system",
     "pyhrg.common.caches.compiled",
     "pyhrg.common.caches.files",
     "pyhrg.common.made_by",
-    "pyhrg.common.pages.shell",
+    "pyhrg.common.pages.markup",
     "pyhrg.fmu.archive",
-    "pyhrg.fmu.lanes",
+    "pyhrg.fmu.together",
     "pyhrg.gap.closing.equation.closed_file",
 }
 """Modules that read files which this distribution or this process has made."""

@@ -11,7 +11,7 @@ ROOT = Path(__file__).parents[2]
 PACKAGES = ("fmu_build", "pyhrg", "ins_eval")
 MOST_LINES = 300
 MOST_FUNCTION_LINES = 60
-MOST_FILES = 13
+MOST_FILES = 12
 """Python files side by side in a folder, `__init__.py` aside; about ten is the aim."""
 MOST_DEPTH = 8
 """Length of the longest chain of imports among what stands side by side in one folder."""

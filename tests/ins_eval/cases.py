@@ -6,7 +6,7 @@ from ins_eval.common import earth
 from ins_eval.mission_model.missions import STILL
 from ins_eval.parking.mission import Mission, sample_mission
 from ins_eval.trajectories.catalogue import load_trajectory
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 
 def at_rest(

@@ -6,7 +6,7 @@ import pytest
 
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import StudyMission, plan_mission
-from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.position_errors import TriadBlock
 from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.study.gyros.drawn_triad import (
     DrawnTriad,

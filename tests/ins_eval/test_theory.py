@@ -12,7 +12,7 @@ from ins_eval.common.state import State, Track, track_error
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from pyhrg.common.units import DEG_PER_H
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 from tests.ins_eval import theory
 
 RATE = 10

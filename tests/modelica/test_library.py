@@ -7,10 +7,10 @@ from pathlib import Path
 import pymoca.ast
 import pytest
 
-from fmu_build.bundle import find_modelica_library
+from pyhrg.common.made_by import find_modelica
 from tests.modelica.models import defined, modifiers
 
-FILES = sorted(find_modelica_library().rglob("*.mo"))
+FILES = sorted(find_modelica().rglob("*.mo"))
 
 
 def nested(item: pymoca.ast.Class) -> Iterator[pymoca.ast.Class]:
@@ -22,14 +22,15 @@ def nested(item: pymoca.ast.Class) -> Iterator[pymoca.ast.Class]:
 def names(path: Path) -> tuple[str, ...]:
     """Of a file's class and the packages around it, from the library on."""
     place = path.parent if path.name == "package.mo" else path.with_suffix("")
-    return place.relative_to(find_modelica_library().parent).parts
+    return place.relative_to(find_modelica()).parts
 
 
-def test_the_library_says_its_version_and_what_it_uses() -> None:
-    """The distribution's version; no other library."""
-    annotation = modifiers(defined(find_modelica_library() / "package.mo").annotation)
+@pytest.mark.parametrize(("library", "used"), [("HRG", []), ("Strapdown", ["HRG"])])
+def test_a_library_says_its_version_and_what_it_uses(library: str, used: list[str]) -> None:
+    """The distribution's version; no library from elsewhere."""
+    annotation = modifiers(defined(find_modelica() / library / "package.mo").annotation)
     assert annotation["version"].value == version("hrg")
-    assert not annotation["uses"].arguments
+    assert list(modifiers(annotation["uses"])) == used
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda p: ".".join(names(p)))
@@ -46,7 +47,7 @@ def test_the_library_is_there() -> None:
     assert len(FILES) > 30
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda p: str(p.relative_to(find_modelica_library())))
+@pytest.mark.parametrize("path", FILES, ids=lambda p: str(p.relative_to(find_modelica())))
 def test_second_parser_reads_it_and_everything_is_described(path: Path) -> None:
     for item in nested(defined(path)):
         assert item.comment, item.name

@@ -12,7 +12,7 @@ from ins_eval.alignment.bias_instability import PROCESSES, correlation_times
 from ins_eval.alignment.kalman import standing
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.common.arrays import Array
-from pyhrg.noise.flicker import compute_process_variance
+from pyhrg.noise.coefficients import compute_process_variance
 
 CORE = slice(0, standing.STATES)
 TURNED = slice(CORE.stop, CORE.stop + 2)

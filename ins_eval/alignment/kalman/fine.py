@@ -4,13 +4,17 @@ The measurement is that the navigated displacement is 0 but for the vehicle's sw
 of a standing vehicle is bounded, so that its samples are nearly white. Its velocity is the
 derivative, which is coloured; taken as white noise, it would get too little weight.
 docs/methods/alignment.md, Eqs. 5 to 7.
+
+The vehicle's tilting is estimated from its gyros' record: rotation about level axes in excess of
+the gyros' own noise. Its model is white noise from step to step plus a random walk. A steady rate
+is left out: it contains the heading (Eq. 7).
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 from filterpy.kalman import KalmanFilter
-from scipy.optimize import minimize_scalar
+from scipy.optimize import minimize, minimize_scalar
 
 from ins_eval.alignment.kalman import aligning_model, standing
 from ins_eval.alignment.kalman.dead_reckoning import (
@@ -20,12 +24,51 @@ from ins_eval.alignment.kalman.dead_reckoning import (
     reckon,
     split_into_steps,
 )
-from ins_eval.alignment.kalman.tilting import Tilting, estimate_tilting
 from ins_eval.alignment.result import Alignment, History
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
+
+BOUNDS = ((1e-7, 1.0), (1e-10, 1.0))
+"""Search ranges of `Tilting`. Chosen: below the lower ends the heading does not change."""
+
+
+@dataclass(frozen=True)
+class Tilting:
+    """Tilting about each level axis.
+
+    angle_white_noise: standard deviation, rad, including quantization; angle_random_walk:
+    coefficient, rad/sqrt(s).
+    """
+
+    angle_white_noise: float
+    angle_random_walk: float
+
+
+def estimate_tilting(turned: Array, step: float, errors: SensorErrors) -> Tilting:
+    """Estimate the tilting from the rotation `turned` (m, 2) about north and east since the start,
+    rad, at the end of each step, s.
+
+    It maximizes Whittle's likelihood of the periodogram of the mean rates, without frequency 0
+    (Whittle 1953).
+    """
+    rate = np.diff(turned, axis=0, prepend=0.0) / step
+    frequency = np.fft.rfftfreq(len(rate), step)[1:]
+    periodogram = np.mean(np.abs(np.fft.rfft(rate, axis=0)[1:]) ** 2, axis=1) * step / len(rate)
+    own = errors.angle_random_walk**2 + errors.gyro_bias_instability**2 / (2 * np.pi * frequency)
+    differenced = 4 * np.sin(np.pi * frequency * step) ** 2 / step
+
+    def cost(logarithms: Array) -> float:
+        white, walk = np.exp(2 * logarithms)
+        density = own + white * differenced + walk
+        return float(np.sum(np.log(density) + periodogram / density))
+
+    spread = float(np.sqrt(np.mean(periodogram)))
+    start = np.clip(np.log([spread * np.sqrt(step) + 1e-30, spread + 1e-30]), *np.log(BOUNDS).T)
+    estimate = minimize(cost, start, method="Nelder-Mead", bounds=np.log(BOUNDS))
+    return Tilting(*map(float, np.exp(estimate.x)))
+
 
 MAX_LINEAR_ERROR = 1e-4
 """Correction of the start attitude below which the linear model is valid, rad. Chosen."""

@@ -12,15 +12,18 @@ from pathlib import Path
 import pandas as pd
 
 from ins_eval.study.challenge.hand_out import INDEX, write_hand_out
-from ins_eval.study.challenge.predictions_file import read_predictions
-from ins_eval.study.challenge.score_predictions import ChallengeScores, score_predictions
+from ins_eval.study.challenge.score_predictions import (
+    ChallengeScores,
+    read_predictions,
+    score_predictions,
+)
 from ins_eval.study.run.run import Cluster, Progress
 from ins_eval.study.run_study import make_experiment, run_to_result
 from ins_eval.study.specification import TEST, Study
 from ins_eval.study.study_data import read_study_data
 from ins_eval.study.study_file import load_study
 from ins_eval.study.tables import columns
-from ins_eval.study.tables.table import TABLE
+from ins_eval.study.tables.columns import TABLE
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import replace_folder, write_whole
 from pyhrg.common.reading.documents import read_json

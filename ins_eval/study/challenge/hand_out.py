@@ -23,8 +23,8 @@ from pyhrg.records.campaign import Campaign, write_campaign
 
 INDEX, README = "challenge.json", "README.md"
 SCHEMA = "hrg-study-challenge/1"
-BELIEVED_DIGITS = 3
-"""Significant digits of design values that are believed. Chosen: as a data sheet states them."""
+DESIGN_DIGITS = 3
+"""Significant digits of the design values in a hand-out. Chosen: as a data sheet states them."""
 READ_OUT_CONSTANT = "coriolis_factor"
 """Key of the angular gain that the electronics use; it is known exactly."""
 AXES = "xyz"
@@ -101,17 +101,17 @@ def _write_triad(study: Study, triad: int, folder: Path) -> Iterator[dict[str, A
 
 
 def _write_records(folder: Path, gyro: DrawnGyro, tests: Campaign, warm: Campaign) -> None:
-    believed = _round_nominal(gyro.device)
+    design = _round_nominal(gyro.device)
     heated = tuple(
         replace(test, recording=replace(test.log, temperature=test.log.temperature + WARM_RISE))
         for test in warm.tests
     )
-    write_campaign(replace(tests, device=folder.name, nominal=believed), folder / "bench")
+    write_campaign(replace(tests, device=folder.name, nominal=design), folder / "bench")
     write_campaign(
-        replace(warm, device=folder.name, nominal=believed, tests=heated), folder / "bench-warm"
+        replace(warm, device=folder.name, nominal=design, tests=heated), folder / "bench-warm"
     )
     device = replace(
-        from_table(believed, folder.name),
+        from_table(design, folder.name),
         name=folder.name,
         site=gyro.device.site,
         bias_map=gyro.device.bias_map,
@@ -121,8 +121,8 @@ def _write_records(folder: Path, gyro: DrawnGyro, tests: Campaign, warm: Campaig
 
 
 def _round_nominal(device: Device) -> dict[str, float]:
-    """Design values as they are believed, by the keys of a device file."""
+    """Design values with `DESIGN_DIGITS`, by the keys of a device file."""
     return {
-        key: value if key == READ_OUT_CONSTANT else float(f"{value:.{BELIEVED_DIGITS}g}")
+        key: value if key == READ_OUT_CONSTANT else float(f"{value:.{DESIGN_DIGITS}g}")
         for key, value in nominal(device).items()
     }

@@ -1,14 +1,18 @@
-"""Scores of predictors in a challenge: R2, rank correlation, coverage, weighted interval score."""
+"""Predictions of a challenge as a CSV (one row for each judged triad and mission), and scores of
+predictors: R2, rank correlation, coverage, weighted interval score.
+"""
 
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
+from itertools import zip_longest
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pandas as pd
 
-from ins_eval.study.challenge.predictions_file import HIGH, LOW, MEDIAN
 from ins_eval.study.scores import measures
 from ins_eval.study.scores.coverage import estimate_coverage
 from ins_eval.study.scores.groups import FlightGroup, group_flights
@@ -17,9 +21,79 @@ from ins_eval.study.specification import TEST, TRAIN
 from ins_eval.study.tables import columns
 from ins_eval.study.tables.columns import Predictor
 from pyhrg.common.arrays import Array
-from pyhrg.common.errors import describe_briefly
+from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.pages.svg import format_interval
+from pyhrg.common.reading.documents import parse_csv
 from pyhrg.common.units import NAUTICAL_MILE
+from pyhrg.records.table import read_text
+
+Flight = tuple[int, str]
+"""Number of a triad, and name of a mission."""
+LOW, MEDIAN, HIGH = "low_m", "median_m", "high_m"
+"""Columns of the predicted horizontal error: its median and the ends of its interval, m."""
+FIELDS = (columns.TRIAD, columns.MISSION, LOW, MEDIAN, HIGH)
+
+
+def read_predictions(path: Path, flights: Collection[Flight]) -> pd.DataFrame:
+    """Predictions with the columns `FIELDS`.
+
+    Args:
+        path: the file; other columns are ignored.
+
+    Raises:
+        HrgError: a column or a flight is missing, twice there or unknown; a number is not
+            finite, negative, or not in the order low, median, high.
+    """
+    lines = parse_csv(path, read_text(path))
+    _, header = next(lines, (0, []))
+    for name in FIELDS:
+        if name not in header:
+            raise HrgError(f"{path}: found no column {name}, expected {', '.join(FIELDS)}")
+    rows: dict[Flight, tuple[float, ...]] = {}
+    for line, fields in lines:
+        place = f"{path}: line {line}"
+        row = dict(zip_longest(header, fields[: len(header)], fillvalue=""))
+        flight = _read_flight(row, flights, place)
+        if flight in rows:
+            raise HrgError(f"{place}: triad: found {flight} again, expected it once")
+        rows[flight] = _read_numbers(row, place)
+    if missing := sorted(set(flights) - rows.keys()):
+        raise HrgError(
+            f"{path}: found no row for triad {missing[0][0]}, mission {missing[0][1]}, expected "
+            f"all {len(flights)} judged flights; {len(missing)} are missing"
+        )
+    return pd.DataFrame([(*flight, *rows[flight]) for flight in sorted(rows)], columns=FIELDS)
+
+
+def _read_flight(row: dict[str, str], flights: Collection[Flight], place: str) -> Flight:
+    text, mission = row[columns.TRIAD], row[columns.MISSION]
+    missions = sorted({name for _, name in flights})
+    if mission not in missions:
+        expected = " or ".join(missions)
+        raise HrgError(f"{place}: mission: found {mission!r}, expected {expected}")
+    if not text.isdecimal() or (int(text), mission) not in flights:
+        numbers = sorted({triad for triad, _ in flights})
+        raise HrgError(
+            f"{place}: triad: found {text!r}, expected one that is judged, {numbers[0]} to "
+            f"{numbers[-1]}"
+        )
+    return int(text), mission
+
+
+def _read_numbers(row: dict[str, str], place: str) -> tuple[float, ...]:
+    """Low end, median and high end, m."""
+    numbers, least, below = [], 0.0, "0"
+    for name in (LOW, MEDIAN, HIGH):
+        try:
+            number = float(row[name])
+        except ValueError:
+            number = math.nan
+        if not least <= number < math.inf:
+            raise HrgError(f"{place}: {name}: found {row[name]!r}, expected a number from {below}")
+        numbers.append(number)
+        least, below = number, f"{name}, {number:g}"
+    return tuple(numbers)
+
 
 NAIVE = Predictor("naive", "Training triads' median", "the errors of the training triads alone")
 """The predictor that looks at no gyro: quantiles of the training triads' errors."""

@@ -12,7 +12,7 @@ from ins_eval.error_model.effects import ANGULAR_GAIN
 from ins_eval.mission_model.gyro_map import HARMONICS, TERMS, evaluate_terms, fit_coefficients
 from pyhrg.bench.bias.position import full_circumference
 from pyhrg.bench.readings.turns import Turn
-from pyhrg.bench.scale_factor.rate_tests import read_rate_turns
+from pyhrg.bench.scale_factor.scale_factor import read_rate_turns
 from pyhrg.common.arrays import Array
 from pyhrg.records.campaign import Campaign
 

@@ -17,7 +17,7 @@ from ins_eval.error_model.effects import ANGULAR_GAIN
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position import fixed_position, full_circumference
 from pyhrg.bench.bias.position.positions import Plan, choose_plan
-from pyhrg.bench.scale_factor.rate_tests import make_turn_power_ons
+from pyhrg.bench.scale_factor.scale_factor import make_turn_power_ons
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu

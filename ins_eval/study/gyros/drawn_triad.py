@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, fields
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.position_errors import TriadBlock
 from ins_eval.study.gyros.bench_plan import CALIBRATION, BenchPlan
 from ins_eval.study.gyros.drift import Drift, Flight, draw_flight
 from ins_eval.study.gyros.makers_calibration import Method, calibrate_gyro

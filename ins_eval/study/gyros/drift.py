@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ins_eval.mission_model.warming import compute_case_warmth
+from ins_eval.mission_model.signals import compute_case_warmth
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import YEAR

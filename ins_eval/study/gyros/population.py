@@ -3,7 +3,8 @@
 The size of a gyro's bias map is log-uniform. Each mechanism that makes a bias map has a share of
 that size, times a normal deviate, or a normal vector where the mechanism has an axis. The closed
 forms that turn a bias into a parameter are those of `pyhrg.theory`, so that shares are comparable;
-the resulting map is measured by simulation of the FMU. All numbers are chosen.
+the resulting map is measured by simulation of the FMU. A share of each mechanism's deviate is the
+same in all gyros of one maker. All numbers are chosen.
 
     mechanism                                   share of the bias map
     damping anisotropy                          0.6, any axis
@@ -41,11 +42,11 @@ minute measures them within 3e-5 deg/h per kelvin, without hysteresis.
 
 import math
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
 from ins_eval.mission_model.missions import WARM_UP
-from ins_eval.study.gyros.makers_generator import MakersGenerator
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import (
     ARCSEC,
@@ -58,6 +59,29 @@ from pyhrg.common.units import (
     STANDARD_GRAVITY,
 )
 from pyhrg.device.device import Device
+
+MAKER = 0
+"""Seed of the maker's own deviates: any number, the same for all gyros. Chosen."""
+
+
+class MakersGenerator(np.random.Generator):
+    """A gyro's generator whose normal deviates correlate with those of all other gyros.
+
+    Draws of the same order in different gyros have the correlation `common`; the distribution of
+    each is as before. Uniform draws are the gyro's own.
+    """
+
+    def __init__(self, own: np.random.Generator, common: float) -> None:
+        """Take over a gyro's generator; `common` is a share of the variance, 0 to 1."""
+        super().__init__(own.bit_generator)
+        self._maker = np.random.default_rng(MAKER)
+        self._shares = math.sqrt(common), math.sqrt(1 - common)
+
+    def normal(self, loc: Any = 0.0, scale: Any = 1.0, size: Any = None) -> Any:
+        """Normal deviates, as `numpy.random.Generator.normal`."""
+        maker, own = self._maker.standard_normal(size), super().standard_normal(size)
+        return loc + scale * (self._shares[0] * maker + self._shares[1] * own)
+
 
 Generator = np.random.Generator
 

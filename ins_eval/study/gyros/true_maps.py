@@ -5,10 +5,17 @@ from dataclasses import replace
 
 import numpy as np
 
-from ins_eval.mission_model.gyro_map import FAST, NAMES, SLOW, TERMS, Sweep, measure_gyro_map
+from ins_eval.mission_model.gyro_map import (
+    FAST,
+    NAMES,
+    SLOW,
+    TERMS,
+    Sweep,
+    measure_gyro_map,
+    start_maps,
+)
 from ins_eval.mission_model.pattern_drift import TURNING_TERMS
 from ins_eval.mission_model.signals import STEADY, WARMING, slice_coefficients
-from ins_eval.mission_model.turned_maps import start_maps
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ins_eval.mission_model.position_errors import TriadBlock
 from ins_eval.mission_model.signals import COUNT
-from ins_eval.mission_model.triad_block import TriadBlock
 from ins_eval.study.gyros.bench_plan import WARM_RISE
 from pyhrg.common.arrays import Array
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ins_eval.mission_model.mission_weights import MissionWeights
-from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.position_errors import TriadBlock
 from ins_eval.study.predictors import true_parameters
 from ins_eval.study.predictors.stability_rule import compute_rule_distance
 from pyhrg.common.arrays import Array

@@ -5,9 +5,9 @@ change as the gyros warm (Eq. 4). The spread comes from the bench's uncertainty,
 between bench and flight, noise and accelerometers (Eqs. 6 to 8).
 """
 
+from ins_eval.mission_model.gyro_map import start_maps
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.position_errors import compute_expected_error
-from ins_eval.mission_model.turned_maps import start_maps
 from ins_eval.study.predictors.bench_figures import BenchFigures
 from ins_eval.study.predictors.parts.drawn_errors import draw_at_angles, draw_at_any_angle
 from ins_eval.study.predictors.parts.map_drift import MapDrift

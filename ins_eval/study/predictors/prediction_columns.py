@@ -5,10 +5,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ins_eval.mission_model.gyro_map import TERMS, evaluate_terms
+from ins_eval.mission_model.gyro_map import TERMS, evaluate_terms, undo_start
 from ins_eval.mission_model.mission_weights import MissionWeights
-from ins_eval.mission_model.triad_block import TriadBlock
-from ins_eval.mission_model.turned_maps import undo_start
+from ins_eval.mission_model.position_errors import TriadBlock
 from ins_eval.study.predictors import (
     class_constants,
     fitted_map,

@@ -3,7 +3,7 @@ angle."""
 
 import numpy as np
 
-from ins_eval.mission_model.turned_maps import turn_weights
+from ins_eval.mission_model.gyro_map import turn_weights
 from pyhrg.common.arrays import Array
 
 _ANGLES = np.pi * np.arange(16) / 16

@@ -6,9 +6,9 @@ unknown. No predictor from a bench can do better.
 
 import numpy as np
 
+from ins_eval.mission_model.gyro_map import undo_start
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.position_errors import compute_expected_error
-from ins_eval.mission_model.turned_maps import undo_start
 from ins_eval.study.predictors.parts.drawn_errors import draw_at_any_angle
 from ins_eval.study.predictors.prediction import NormalPrediction, SampledPrediction
 from pyhrg.common.arrays import Array

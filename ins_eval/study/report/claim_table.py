@@ -11,9 +11,8 @@ from ins_eval.study.report.claims import (
     list_failures,
     name_requirement,
 )
-from ins_eval.study.report.figures.filters import name_calibration
 from ins_eval.study.report.figures.matrix import render_estimate
-from ins_eval.study.report.figures.parts import make_fold
+from ins_eval.study.report.figures.parts import make_fold, name_calibration
 from ins_eval.study.study_data import CONDITIONS_KEY, StudyData
 from ins_eval.study.tables.score import FAILS, HOLDS, Score
 from pyhrg.common.pages.markup import make_paragraph
@@ -39,9 +38,9 @@ def render_conditions(data: StudyData) -> str:
     """What differs in each condition, and the claims by condition."""
     if data.conditions is None:
         return make_paragraph(NO_CONDITIONS)
-    told, names = data.about.get(CONDITIONS_KEY, {}), data.conditions.classes
+    words, names = data.about.get(CONDITIONS_KEY, {}), data.conditions.classes
     listed = "".join(
-        f"<li><b>{html.escape(name)}</b>: {html.escape(told.get(name, ''))}</li>" for name in names
+        f"<li><b>{html.escape(name)}</b>: {html.escape(words.get(name, ''))}</li>" for name in names
     )
     title = (
         "Gyros calibrated at the mean, flown by the linear model; the predictors are the study's "
@@ -123,10 +122,10 @@ def _render_failures(data: StudyData, width: int) -> str:
     rows = []
     for number, (name, n, failing) in enumerate(failures):
         head = "" if number else _render_head("d", statement, verdict, failures)
-        told = "<br>".join(map(html.escape, failing)) or NO_FAILURE
+        text = "<br>".join(map(html.escape, failing)) or NO_FAILURE
         rows.append(
             f"<tr>{head}<td>{html.escape(name)}<br><small>{CONDITION}</small></td>"
-            f'<td class="told" colspan="{width}">{told}</td>'
+            f'<td class="failing" colspan="{width}">{text}</td>'
             f"{_render_count(str(n))}</tr>"
         )
     if not rows:

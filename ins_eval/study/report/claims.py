@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ins_eval.study.report.figures.filters import name_calibration
 from ins_eval.study.report.figures.matrix import name_negative_r2
+from ins_eval.study.report.figures.parts import name_calibration
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables.columns import (
     CIRCUMFERENCE_CLASS,

@@ -4,7 +4,7 @@ import html
 import math
 from typing import Any
 
-from ins_eval.study.report.figures.filters import name_calibration
+from ins_eval.study.report.figures.parts import name_calibration
 from ins_eval.study.report.lead_case import read_lead_case
 from ins_eval.study.report.mission_constants import (
     BEYOND,

@@ -8,8 +8,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from ins_eval.study.run.block import Arrays, unpack_block
-from ins_eval.study.run.identity import Identity
+from ins_eval.study.run.block import Arrays, Identity, unpack_block
 from pyhrg.common.caches.files import read_cached, write_cached
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole

@@ -5,9 +5,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ins_eval.study.run import block
-from ins_eval.study.run.block import Arrays, BlockComputation, BlockWork
+from ins_eval.study.run.block import Arrays, BlockComputation, BlockWork, identify_study
 from ins_eval.study.run.folder import StudyFolder, claim_folder
-from ins_eval.study.run.identity import identify_study
 from ins_eval.study.run.workers import connect, run_blocks
 from ins_eval.study.specification import Study
 from pyhrg.common.arguments import check_whole_number

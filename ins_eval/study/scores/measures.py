@@ -22,12 +22,12 @@ def compute_component_r2(flown: Array, predicted: Array) -> Array:
 
 
 def compute_r2_shortfall(flown: Array, predicted: Array, ceiling: Array) -> Array:
-    """(...,) R2 of the best predictions, `ceiling`, less that of other ones (Eq. 11)."""
+    """(...,) R2 of `ceiling`, the best possible predictions, less that of `predicted` (Eq. 11)."""
     return compute_r2(flown, ceiling) - compute_r2(flown, predicted)
 
 
 def compute_power_share(flown: Array, part: Array) -> Array:
-    """(...,) mean square of a part of the errors over that of the errors (..., r, m, 2)."""
+    """(...,) mean square of `part` over that of the flown errors (..., r, m, 2)."""
     power, whole = (np.sum(each**2, axis=(-3, -2, -1)) for each in (part, flown))
     return _divide(power, whole)
 

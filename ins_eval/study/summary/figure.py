@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ins_eval.study.report.distances import NMI, format_distance
-from ins_eval.study.report.figures.filters import name_calibration
+from ins_eval.study.report.figures.parts import name_calibration
 from ins_eval.study.report.lead_case import LeadCase, read_lead_case
 from ins_eval.study.specification import TEST
 from ins_eval.study.study_data import StudyData

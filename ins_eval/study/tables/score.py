@@ -1,8 +1,9 @@
 """A score of the study with its interval, as study.json lists them under "scores"."""
 
-import math
 from dataclasses import asdict, dataclass
 from typing import Any
+
+from pyhrg.common.arrays import to_json_value
 
 ALL = "all"
 """Mission class or role of a score that covers all of them."""
@@ -64,7 +65,5 @@ class Score:
 
     def describe(self) -> dict[str, Any]:
         """The score as JSON values; null where a number is NaN."""
-        return {
-            key: None if isinstance(value, float) and not math.isfinite(value) else value
-            for key, value in asdict(self).items()
-        }
+        values: dict[str, Any] = to_json_value(asdict(self))
+        return values

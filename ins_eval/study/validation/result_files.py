@@ -14,7 +14,7 @@ from ins_eval.study.report.claims import describe_conditions, judge_claims
 from ins_eval.study.report.lead_case import LeadCase, read_lead_case
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.summary.figure import draw_figure
-from ins_eval.study.summary.outcome import SHOWN_PREDICTORS, Outcome, list_outcomes
+from ins_eval.study.summary.text import SHOWN_PREDICTORS, Outcome, list_outcomes
 from ins_eval.study.tables.columns import CIRCUMFERENCE_RULE, FIXED_RULE, TRIAD
 from ins_eval.study.tables.score import AGREEMENT, CLASS_CONSTANT, STEADY_AGREEMENT
 from pyhrg.common.units import NAUTICAL_MILE

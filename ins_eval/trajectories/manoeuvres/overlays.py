@@ -31,7 +31,8 @@ class OverlayMotion:
 
 @dataclass(frozen=True, kw_only=True)
 class Overlay(Checked, ABC):
-    """Motion from `start`, for `duration` or to the end, which grows and fades within `ramp`."""
+    """Motion that begins at `start` and lasts for `duration`, or to the mission's end where that is
+    None. It rises over `ramp`, and falls over `ramp` before it ends."""
 
     start: float = quantity("s", 0, 1e6, 0)
     duration: float | None = quantity("s", 1, 1e6, None)

@@ -25,7 +25,7 @@ protected
     each fixed = true) "{cx, sx, cy, sy}";
 equation
   when sample(0, converterPeriod) then
-    y = position[2] + nonOrthogonality*position[1];
+    y = position[2] + share*position[1];
     signal = {
       gain[1]*position[1]*(1 + cubic*position[1]^2) + feedthrough*(pre(lastForce[1])*carrier[1] + pre(lastForce[2])*carrier[2]),
       gain[2]*y*(1 + cubic*y^2) + feedthrough*(pre(lastForce[3])*carrier[1] + pre(lastForce[4])*carrier[2])};

@@ -10,26 +10,35 @@ block DriveErrors "Errors of the drives"
   parameter Units.DimensionlessRatio gainMismatch(min = -0.5, max = 0.5) = 0
     "gd: x drives (1 + gd/2) fx, y drives (1 - gd/2) fy; typically 1e-3 to 1e-2 raw, 1e-5 to 1e-4 calibrated";
   parameter Units.RelativeForce authority(min = 0, max = 1e6) = 0 "A channel clips at this force, typically 0.01 to 0.2: a virtual rotation of 1 to 20 deg/s takes as much; 0: never";
+  parameter Units.DimensionlessRatio gainPerVoltage(min = -2, max = 2) = 0
+    "Change of both gains with the bias voltage over the nominal one, typically 1: a force is bias times command";
+  parameter Real ringErrors[9] "Errors of the electrode ring, as of ringErrors";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
+  input Units.DimensionlessRatio biasVoltage "Over the nominal one";
   input Real temperatureRate(unit = "K/s") "Rate of the case's temperature";
   output Units.DimensionlessRatio gain[4] "Force over command, {x by x, x by y, y by x, y by y}";
 protected
+  final parameter Units.DimensionlessRatio share = nonOrthogonality + ringErrors[6] "Share of fx in fy";
+  final parameter Units.DimensionlessRatio scaleX = (1 + ringErrors[4])*(1 + (gainMismatch + ringErrors[5])/2) "Gain of x";
+  final parameter Units.DimensionlessRatio scaleY = (1 + ringErrors[4])*(1 - (gainMismatch + ringErrors[5])/2) "Gain of y";
   Units.Angle rotation "e under specific force and gradients";
-  Units.DimensionlessRatio turn[2] "Cosine and sine of e";
+  Units.DimensionlessRatio strength "Mean gain under the bias voltage";
+  Units.DimensionlessRatio turn[2] "Cosine and sine of e, times the mean gain";
 equation
-  rotation = frameRotation + rotationPerTemperatureRate*temperatureRate
+  rotation = frameRotation + ringErrors[7] + rotationPerTemperatureRate*temperatureRate
     + rotationPerAcceleration[1]*acceleration[1] + rotationPerAcceleration[2]*acceleration[2]
     + rotationPerAcceleration[3]*acceleration[3];
-  turn = {cos(rotation), sin(rotation)};
+  strength = 1 + gainPerVoltage*(biasVoltage - 1);
+  turn = {strength*cos(rotation), strength*sin(rotation)};
   gain = {
-    (1 + gainMismatch/2)*turn[1],
-    -(1 + gainMismatch/2)*turn[2],
-    (1 - gainMismatch/2)*(turn[2] + nonOrthogonality*turn[1]),
-    (1 - gainMismatch/2)*(turn[1] - nonOrthogonality*turn[2])};
+    scaleX*turn[1],
+    -scaleX*turn[2],
+    scaleY*(turn[2] + share*turn[1]),
+    scaleY*(turn[1] - share*turn[2])};
   annotation (Documentation(info="<html>
 <p>Of the command {x, y}, which the electronics keep within the authority,</p>
-<pre>force = [[1 + gd/2, 0], [0, 1 - gd/2]] [[1, 0], [nd, 1]] [[cos e, -sin e], [sin e, cos e]] {x, y}
+<pre>force = (1 + gainPerVoltage (V - 1)) [[1 + gd/2, 0], [0, 1 - gd/2]] [[1, 0], [nd, 1]] [[cos e, -sin e], [sin e, cos e]] {x, y}
 e = frameRotation + rotationPerTemperatureRate dT/dt + rotationPerAcceleration f</pre>
-<p>f the specific force, T the case's temperature. Mechanisms 3, 5, 6, 24, 28 and 30 of the catalogue.</p>
+<p>f the specific force, T the case's temperature, V the bias voltage over the nominal one. The electrode ring adds its gd, nd and e, and scales both gains. Mechanisms 3, 5, 6, 24, 25, 28 and 30 of the catalogue.</p>
 </html>"));
 end DriveErrors;

@@ -3,10 +3,15 @@ partial block PartialPickOff "Errors of pick-offs, demodulation and converters"
   parameter Units.DimensionlessRatio gainMismatch(min = -0.5, max = 0.5) = 0
     "g: x reads (1 + g/2) x, y reads (1 - g/2) y; typically 1e-3 to 1e-2 raw, 1e-5 to 1e-4 calibrated";
   parameter Units.LinearTemperatureCoefficient gainPerKelvin(min = -0.01, max = 0.01) = 0 "Change of g with temperature, typically 1e-6 to 1e-5";
+  parameter Units.LinearTemperatureCoefficient gainPerGradient(min = -0.01, max = 0.01) = 0
+    "Change of g with the case's temperature above the resonator's (hysteresis), typically 1e-6 to 1e-5 (estimate)";
+  parameter Real gainAgeing(unit = "1/s", min = -1e-4, max = 1e-4) = 0 "Change of g with age, typically 1e-13 to 1e-11: 3e-6 to 3e-4 a year (estimate)";
   parameter Units.PerAcceleration gainPerAcceleration[3](each min = -0.01, each max = 0.01) = {0, 0, 0}
     "Change of g with specific force (gap change), typically up to 1e-5";
   parameter Real gainPerAccelerationSquared[3](each unit = "s4/m2", each min = -0.01, each max = 0.01) = {0, 0, 0}
     "Change of g with the square of specific force, typically 2e-8 to 5e-7: 1e-3 to 2e-2 deg/h at 1 g and a decay time of 450 s";
+  parameter Real vibrationVariance[3](each unit = "m2/s4", each min = 0, each max = 1e6) = {0, 0, 0}
+    "Mean square of vibration that the specific force does not show, its spectral density times the band, typically 100 to 2e4 (estimate)";
   parameter Units.DimensionlessRatio nonOrthogonality(min = -0.5, max = 0.5) = 0 "d: y reads y + d x, typically 1e-4 to 2e-3 raw";
   parameter Real cubic(unit = "1", min = -0.1, max = 0.1) = 0
     "b: x reads x (1 + 3/4 b |x|^2), typically 1e-5 to 1e-3";
@@ -19,27 +24,45 @@ partial block PartialPickOff "Errors of pick-offs, demodulation and converters"
   parameter Units.Time feedthrough(min = -0.01, max = 0.01) = 0 "Reads this time the force as well, typically 1e-6 to 1e-4";
   parameter Units.RelativeDisplacement resolution(min = 0, max = 0.1) = 0 "Least significant bit of a channel, typically 2e-7 to 6e-5: 24 to 16 bits over a full scale of 2 (estimate); 0: none";
   parameter Units.RelativeDisplacement fullScale(min = 0, max = 1e6) = 0 "A channel clips at this value, typically 1.2 to 2, the headroom over the nominal amplitude (estimate); 0: never";
+  parameter Units.Time samplingSkew(min = -1e-3, max = 1e-3) = 0
+    "y is sampled this time after x (one converter for both, electrodes read in turn), typically 5e-6 to 2e-4";
+  parameter Units.DimensionlessRatio gainPerVoltage(min = -2, max = 2) = 0
+    "Change of both gains with the bias voltage over the nominal one, typically 1 where the bias polarises the pick-offs, 0 with a carrier of their own";
+  parameter Real ringErrors[9] "Errors of the electrode ring, as of ringErrors";
   input Units.TemperatureDifference temperature "Above the reference";
+  input Units.TemperatureDifference gradient "Case above the resonator";
+  input Units.Time age "Time since power-on";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
+  input Units.AngularVelocity turning "Rate of the modal angle, as the case turns and as commanded";
+  input Units.DimensionlessRatio biasVoltage "Over the nominal one";
   input Units.RelativeDisplacement noise[4] "Noise of the demodulated channels";
   output Units.RelativeDisplacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
 protected
+  final parameter Units.DimensionlessRatio scale = 1 + ringErrors[1] "Mean gain";
+  final parameter Units.DimensionlessRatio steadyMismatch = gainMismatch + ringErrors[2] + gainPerAccelerationSquared[1]*vibrationVariance[1]
+    + gainPerAccelerationSquared[2]*vibrationVariance[2] + gainPerAccelerationSquared[3]*vibrationVariance[3]
+    "g, with the ring's and what vibration rectifies";
+  final parameter Units.DimensionlessRatio obliquity = nonOrthogonality + ringErrors[3] "d, that of the ring included";
   final parameter Units.DimensionlessRatio axes[4] = {
     cos(phaseError + differentialPhase/2),
     sin(phaseError + differentialPhase/2),
     cos(phaseError - differentialPhase/2),
     sin(phaseError - differentialPhase/2)} "Cosine and sine of the phase of x, and of y, at the reference temperature";
+  Units.DimensionlessRatio sensitivity "Mean gain under the bias voltage";
+  Units.DimensionlessRatio share "Share of x in y";
   Units.DimensionlessRatio mismatch "g under temperature and specific force";
   Units.DimensionlessRatio gain[2] "Of x and y, for small vibrations";
   Units.DimensionlessRatio turn[2] "Cosine and sine of the phase by temperature";
   Units.DimensionlessRatio phasor[4] "Cosine and sine of the phase of x, and of y";
 equation
-  mismatch = gainMismatch + gainPerKelvin*temperature
+  share = obliquity + samplingSkew*turning;
+  mismatch = steadyMismatch + gainPerKelvin*temperature + gainPerGradient*gradient + gainAgeing*age
     + gainPerAcceleration[1]*acceleration[1] + gainPerAcceleration[2]*acceleration[2]
     + gainPerAcceleration[3]*acceleration[3]
     + gainPerAccelerationSquared[1]*acceleration[1]^2 + gainPerAccelerationSquared[2]*acceleration[2]^2
     + gainPerAccelerationSquared[3]*acceleration[3]^2;
-  gain = {1 + mismatch/2, 1 - mismatch/2};
+  sensitivity = scale + gainPerVoltage*(biasVoltage - 1);
+  gain = {sensitivity*(1 + mismatch/2), sensitivity*(1 - mismatch/2)};
   turn = {cos(phasePerKelvin*temperature), sin(phasePerKelvin*temperature)};
   phasor = {
     axes[1]*turn[1] - axes[2]*turn[2],
@@ -47,11 +70,12 @@ equation
     axes[3]*turn[1] - axes[4]*turn[2],
     axes[4]*turn[1] + axes[3]*turn[2]};
   annotation (Documentation(info="<html>
-<p>With T the temperature above the reference and f the specific force,</p>
-<pre>g = gainMismatch + gainPerKelvin T + gainPerAcceleration f + gainPerAccelerationSquared f^2 (each axis by itself)
-gain of x, y = 1 + g/2, 1 - g/2
+<p>With T the temperature above the reference, f the specific force and V the bias voltage over the nominal one,</p>
+<pre>g = gainMismatch + gainPerKelvin T + gainPerGradient (case's temperature - resonator's) + gainAgeing age + gainPerAcceleration f + gainPerAccelerationSquared (f^2 + vibrationVariance) (each axis by itself)
+gain of x, y = m (1 + g/2), m (1 - g/2), m = 1 + gainPerVoltage (V - 1)
 phase of x, y = phaseError + phasePerKelvin T + differentialPhase/2, - differentialPhase/2</pre>
-<p>Mechanisms 2, 4, 7, 10 to 13, 24, 28 and 30 of the catalogue. Non-orthogonality comes first, then the cubic
+<p>While the modal angle turns, a y that is sampled later has turned on by that time: y reads y + (d + samplingSkew turning) x.
+The electrode ring adds its g and d, and scales both gains. Mechanisms 2, 4, 7, 10 to 13, 24, 25, 28, 30, 31, 34 and 36 of the catalogue. Non-orthogonality comes first, then the cubic
 nonlinearity and the gain, the phase (the complex envelope cx - i sx times exp(i p)), and offset, feedthrough, noise and
 the converter.</p>
 </html>"));

@@ -8,7 +8,7 @@ protected
   Units.RelativeDisplacement y[2] "y with the share of x";
   Units.DimensionlessRatio swing[2] "Gain of x and y at the present amplitude";
 equation
-  y = {displacement[3] + nonOrthogonality*displacement[1], displacement[4] + nonOrthogonality*displacement[2]};
+  y = {displacement[3] + share*displacement[1], displacement[4] + share*displacement[2]};
   swing = {
     gain[1]*(1 + 0.75*cubic*(displacement[1]^2 + displacement[2]^2)),
     gain[2]*(1 + 0.75*cubic*(y[1]^2 + y[2]^2))};

@@ -3,9 +3,10 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
   extends Interfaces.PartialGyro;
   final parameter Units.Time samplePeriod = 1e-3 "Control period";
   final parameter Units.Time converterPeriod = 5e-6 "Sample period of the converters";
+  Electrodes.Ring ring "Electrodes around the shell";
   Resonators.CarrierResonator resonator(
     final thermalPeriod = 1e-2,
-    material(frequency(max = 2.5e5)),
+    material(frequency(max = 2.5e5), ringErrors = ring.errors),
     startAngle = startAngle,
     startAmplitude = startAmplitude,
     angularRate = angularRate,
@@ -16,6 +17,7 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     reference = controller.reference,
     force = drive.force) "Vibrating shell";
   Electrodes.CarrierPickOff pickOff(
+    ringErrors = ring.errors,
     samplePeriod = samplePeriod,
     converterPeriod = converterPeriod,
     startAngle = startAngle,
@@ -25,10 +27,17 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     force = controller.force,
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
+    gradient = resonator.environment.gradient,
+    age = resonator.environment.age,
+    turning = (1 - controller.forceToRebalance)
+      *(2*controller.readout.bryanFactor*virtualRotation*driveOn - resonator.material.coupling),
+    biasVoltage = biasVoltage,
     noise = noise.displacement) "Pick-offs, converters and demodulation";
   Electrodes.Drive drive(
+    ringErrors = ring.errors,
     command = controller.force,
     acceleration = {accelerationX, accelerationY, accelerationZ},
+    biasVoltage = biasVoltage,
     temperatureRate = resonator.environment.temperatureRate,
     noise = noise.force) "Drives";
   Noise.ElectronicsNoise noise(

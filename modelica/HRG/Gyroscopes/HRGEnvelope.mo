@@ -2,8 +2,10 @@ within HRG.Gyroscopes;
 model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, electronics sampled at 1 kHz"
   extends Interfaces.PartialGyro;
   final parameter Units.Time samplePeriod = 1e-3 "Control period";
+  Electrodes.Ring ring "Electrodes around the shell";
   Resonators.Resonator resonator(
     final thermalPeriod = 1e-2,
+    material(ringErrors = ring.errors),
     startAngle = startAngle,
     startAmplitude = startAmplitude,
     angularRate = angularRate,
@@ -14,14 +16,22 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
     reference = controller.reference,
     force = drive.force) "Vibrating shell";
   Electrodes.PickOff pickOff(
+    ringErrors = ring.errors,
     displacement = resonator.displacement,
     force = controller.acting,
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
+    gradient = resonator.environment.gradient,
+    age = resonator.environment.age,
+    turning = (1 - controller.forceToRebalance)
+      *(2*controller.readout.bryanFactor*virtualRotation*driveOn - resonator.material.coupling),
+    biasVoltage = biasVoltage,
     noise = noise.displacement) "Pick-offs and demodulation";
   Electrodes.Drive drive(
+    ringErrors = ring.errors,
     command = controller.force,
     acceleration = {accelerationX, accelerationY, accelerationZ},
+    biasVoltage = biasVoltage,
     temperatureRate = resonator.environment.temperatureRate,
     noise = noise.force) "Drives";
   Noise.ElectronicsNoise noise(

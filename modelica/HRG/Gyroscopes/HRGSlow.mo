@@ -2,6 +2,7 @@ within HRG.Gyroscopes;
 model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-steady, for hours and for thousands"
   extends Interfaces.PartialGyro;
   parameter Units.Time samplePeriod(min = 0.01, max = 1) = 0.1 "Period of output and noise; loops settle within a few";
+  Electrodes.Ring ring "Electrodes around the shell";
   Resonators.OrbitResonator resonator(
     startAngle = startAngle,
     startAmplitude = startAmplitude,
@@ -11,15 +12,24 @@ model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-ste
     biasVoltage = biasVoltage,
     vibration = vibration,
     final thermalPeriod = samplePeriod,
+    material(ringErrors = ring.errors),
     rates = controller.rates) "Vibrating shell";
   Electrodes.PickOff pickOff(
+    ringErrors = ring.errors,
     displacement = resonator.orbit.displacement,
     force = controller.force,
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
+    gradient = resonator.environment.gradient,
+    age = resonator.environment.age,
+    turning = (1 - controller.forceToRebalance)
+      *(2*controller.readout.bryanFactor*virtualRotation*driveOn - resonator.material.coupling),
+    biasVoltage = biasVoltage,
     noise = noise.displacement) "Pick-offs and demodulation";
   Electrodes.DriveErrors drive(
+    ringErrors = ring.errors,
     acceleration = {accelerationX, accelerationY, accelerationZ},
+    biasVoltage = biasVoltage,
     temperatureRate = resonator.environment.temperatureRate) "Drives";
   Noise.ElectronicsNoise noise(
     samplePeriod = samplePeriod,

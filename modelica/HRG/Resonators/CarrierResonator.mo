@@ -15,6 +15,7 @@ model CarrierResonator "Vibrating shell at its carrier frequency"
     splitSin = material.splitSin,
     coupling = material.coupling,
     duffing = material.duffing,
+    cubic = material.cubic,
     reference = reference,
     force = force + shake) "Motion";
   annotation (Documentation(info="<html>

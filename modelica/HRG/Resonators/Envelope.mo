@@ -10,6 +10,7 @@ model Envelope "Slowly varying envelope of the two n = 2 modes"
   input Units.AngularFrequency splitSin "Stiffness anisotropy, off diagonal";
   input Units.AngularVelocity coupling "Bryan coupling of the modes, n k Omega with n = 2";
   input Units.AngularFrequency duffing "Frequency shift at unit amplitude by cubic stiffness";
+  input Units.AngularFrequency cubic "Softening of x and of y at unit amplitude of their own";
   input Units.AngularFrequency reference "Frequency of the rotating frame above the nominal one";
   input Units.RelativeForce force[4] "Forces on the envelope, {cos x, sin x, cos y, sin y}";
   output Units.RelativeDisplacement displacement[4](
@@ -17,7 +18,7 @@ model Envelope "Slowly varying envelope of the two n = 2 modes"
     each fixed = true) "In-phase and quadrature displacement {cx, sx, cy, sy}";
 equation
   der(displacement) = envelopeRates(
-    displacement, dampingX, dampingY, dampingSin, reference - shift, splitCos, splitSin, coupling, duffing) + force;
+    displacement, dampingX, dampingY, dampingSin, reference - shift, splitCos, splitSin, coupling, duffing, cubic) + force;
   annotation (Documentation(info="<html>
 <p>Z' = (free envelope) + U, U the force as a growth of the envelope, U = -(i/2w) F. Without the Duffing term it is
 linear, so that a step of a control period loses nothing.</p>

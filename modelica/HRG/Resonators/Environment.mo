@@ -11,6 +11,7 @@ block Environment "Temperature of the resonator, rate of the case's temperature,
   discrete output Units.TemperatureDifference temperature(start = startTemperature, fixed = true)
     "Resonator above the reference temperature";
   discrete output Real temperatureRate(unit = "K/s", start = 0, fixed = true) "Rate of the case's temperature";
+  discrete output Units.TemperatureDifference gradient(start = 0, fixed = true) "Case above the resonator, while it warms or cools";
   discrete output Units.Time age(start = 0, fixed = true) "Time since power-on";
 protected
   final parameter Units.DimensionlessRatio approach = 1 - exp(-samplePeriod/thermalLag) "Share of the difference that a period takes away";
@@ -20,6 +21,7 @@ equation
   when sample(0, samplePeriod) then
     case = caseTemperature - referenceTemperature;
     temperature = pre(temperature) + approach*(case + selfHeating - pre(temperature));
+    gradient = pre(started)*(case - temperature);
     temperatureRate = pre(started)*(case - pre(case))/samplePeriod;
     age = pre(age) + samplePeriod*pre(started);
     started = 1;

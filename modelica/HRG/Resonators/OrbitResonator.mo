@@ -7,7 +7,7 @@ model OrbitResonator "Vibrating shell, its motion in the elements of the orbit"
 equation
   freeRates = envelopeRates(
     orbit.displacement, material.dampingX, material.dampingY, material.dampingSin, -material.shift,
-    material.splitCos, material.splitSin, material.coupling, material.duffing) + shake;
+    material.splitCos, material.splitSin, material.coupling, material.duffing, material.cubic) + shake;
   annotation (Documentation(info="<html>
 <p>Material and environment give the coefficients, <code>envelopeRates</code> the rates of the free displacement; what becomes of the
 orbit follows from the loops, which give the rates of its elements.</p>

@@ -11,6 +11,7 @@ model Oscillator "The two n = 2 modes at their carrier frequency"
   input Units.AngularFrequency splitSin "Stiffness anisotropy, off diagonal";
   input Units.AngularVelocity coupling "Bryan coupling of the modes, n k Omega with n = 2";
   input Units.AngularFrequency duffing "Frequency shift at unit amplitude by cubic stiffness";
+  input Units.AngularFrequency cubic "Softening of x and of y at unit amplitude of their own";
   input Units.AngularFrequency reference "Frequency of the reference oscillator above the nominal one";
   input Units.RelativeForce force[4] "Modulation of the drive, {cos x, sin x, cos y, sin y}, as a growth of the envelope";
   output Units.RelativeDisplacement position[2](
@@ -33,14 +34,14 @@ equation
   velocity = {momentum[1] + coupling*position[2], momentum[2] - coupling*position[1]};
   der(position) = velocity;
   der(momentum) = {
-    coupling*velocity[2] - 2*(dampingX*velocity[1] + dampingSin*velocity[2]) - stiffness*position[1]
+    coupling*velocity[2] - 2*(dampingX*velocity[1] + dampingSin*velocity[2]) - (stiffness - 8/3*modal*cubic*position[1]^2)*position[1]
       + 2*modal*(splitCos*position[1] + splitSin*position[2]) + drive[1],
-    -coupling*velocity[1] - 2*(dampingY*velocity[2] + dampingSin*velocity[1]) - stiffness*position[2]
+    -coupling*velocity[1] - 2*(dampingY*velocity[2] + dampingSin*velocity[1]) - (stiffness - 8/3*modal*cubic*position[2]^2)*position[2]
       + 2*modal*(splitSin*position[1] - splitCos*position[2]) + drive[2]};
   annotation (Documentation(info="<html>
 <p>With kappa = n k (0.554) and K the stiffness,</p>
-<pre>x'' - 2 kappa W y' - kappa W' y + (2/tau) x' + D (x' ct + y' st) + w^2 x - w dw (x cw + y sw) + gamma (x^2 + y^2) x = fx
-y'' + 2 kappa W x' + kappa W' x + (2/tau) y' + D (x' st - y' ct) + w^2 y - w dw (x sw - y cw) + gamma (x^2 + y^2) y = fy</pre>
+<pre>x'' - 2 kappa W y' - kappa W' y + (2/tau) x' + D (x' ct + y' st) + w^2 x - w dw (x cw + y sw) + gamma (x^2 + y^2) x - gamma_e x^3 = fx
+y'' + 2 kappa W x' + kappa W' x + (2/tau) y' + D (x' st - y' ct) + w^2 y - w dw (x sw - y cw) + gamma (x^2 + y^2) y - gamma_e y^3 = fy</pre>
 <p>written with the momenta x' - kappa W y and y' + kappa W x, so that no derivative of the rate is needed. The
 centrifugal term, an isotropic shift of the frequency, is left out. Forces that carry a growth U of the envelope have
 the amplitude 2 w U, in phase with the velocity. The reference oscillator is integrated beside the modes: both see the same

@@ -12,16 +12,22 @@ partial model PartialResonator "Vibrating shell: environment and material; the m
   input Units.DimensionlessRatio biasVoltage "Electrode bias voltage over the nominal one";
   input Units.Acceleration vibration "Case vibration at the modal frequency, in phase with the reference";
   Environment environment(samplePeriod = thermalPeriod, caseTemperature = caseTemperature) "Temperature and age";
+  MassDefects massDefects "Harmonics of the rim's mass";
   Material material(
+    supportLoss = massDefects.loss,
+    supportCos = massDefects.lossCos,
+    supportSin = massDefects.lossSin,
     temperature = environment.temperature,
     age = environment.age,
     biasVoltage = biasVoltage,
     acceleration = acceleration,
     angularRate = angularRate) "Coefficients of the motion";
 protected
-  Units.RelativeForce shake[4] = {imbalanceX*vibration, 0, imbalanceY*vibration, 0} "Force by vibration of the case";
+  final parameter Real forceX(unit = "s/m") = imbalanceX + massDefects.forceX "Force on x over vibration of the case";
+  final parameter Real forceY(unit = "s/m") = imbalanceY + massDefects.forceY "Force on y over vibration of the case";
+  Units.RelativeForce shake[4] = {forceX*vibration, 0, forceY*vibration, 0} "Force by vibration of the case";
   annotation (Documentation(info="<html>
-<p>Vibration of the case at the modal frequency acts as a force {imbalanceX, 0, imbalanceY, 0} times its acceleration,
-mechanism 27: B = (f/2k) sin 2 theta for a force f on x.</p>
+<p>Vibration of the case at the modal frequency acts as a force {imbalanceX, 0, imbalanceY, 0} times its acceleration, to
+which the harmonics of the mass add theirs: mechanism 27, B = (f/2k) sin 2 theta for a force f on x.</p>
 </html>"));
 end PartialResonator;

@@ -15,6 +15,7 @@ model Resonator "Vibrating shell, its motion as a slowly varying envelope"
     splitSin = material.splitSin,
     coupling = material.coupling,
     duffing = material.duffing,
+    cubic = material.cubic,
     reference = reference,
     force = force + shake) "Motion";
 equation

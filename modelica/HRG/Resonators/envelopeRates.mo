@@ -9,14 +9,17 @@ function envelopeRates "Rates of the free envelope in a frame that rotates with 
   input Units.AngularFrequency splitSin "Stiffness anisotropy, off diagonal";
   input Units.AngularVelocity coupling "Bryan coupling of the modes, n k Omega with n = 2";
   input Units.AngularFrequency duffing "Frequency shift at unit amplitude by cubic stiffness";
+  input Units.AngularFrequency cubic "Softening of x and of y at unit amplitude of their own";
   output Real rates[4] "Derivatives of the displacement";
 protected
   Real cx "Component of x in phase with the reference";
   Real sx "Component of x in quadrature with the reference";
   Real cy "Component of y in phase with the reference";
   Real sy "Component of y in quadrature with the reference";
-  Real detuningX "Of the frame above x, its Duffing shift included";
-  Real detuningY "Of the frame above y, its Duffing shift included";
+  Real detuningX "Of the frame above x, its shift by the amplitude included";
+  Real detuningY "Of the frame above y, its shift by the amplitude included";
+  Real squareX "Squared amplitude of x";
+  Real squareY "Squared amplitude of y";
   Real swing "Duffing shift by both modes' squared amplitude";
   Real turn "Coupling, that of the orbit's area included";
 algorithm
@@ -24,10 +27,12 @@ algorithm
   sx := displacement[2];
   cy := displacement[3];
   sy := displacement[4];
-  swing := duffing*(cx*cx + sx*sx + cy*cy + sy*sy);
+  squareX := cx*cx + sx*sx;
+  squareY := cy*cy + sy*sy;
+  swing := duffing*(squareX + squareY);
   turn := coupling + 2/3*duffing*(cx*sy - cy*sx);
-  detuningX := detuning + splitCos - swing;
-  detuningY := detuning - splitCos - swing;
+  detuningX := detuning + splitCos - (swing - cubic*squareX);
+  detuningY := detuning - splitCos - (swing - cubic*squareY);
   rates[1] := -dampingX*cx - dampingSin*cy - detuningX*sx - splitSin*sy + turn*cy;
   rates[2] := -dampingX*sx - dampingSin*sy + detuningX*cx + splitSin*cy + turn*sy;
   rates[3] := -dampingY*cy - dampingSin*cx - detuningY*sy - splitSin*sx - turn*cx;
@@ -39,6 +44,7 @@ algorithm
 The equation is the average over a carrier period of the two coupled oscillators (D. D. Lynch's form).</p>
 <p>A cubic stiffness, x'' + w^2 x + gamma (x^2 + y^2) x, averages to a frequency shift delta = 3 gamma/8w at unit
 amplitude, X' = i delta [(|X|^2 + |Y|^2) X] + (2/3) delta (cx sy - cy sx) Y, and Y alike with the other sign: an orbit
-of quadrature q precesses as if the case turned at delta a q/(3 k).</p>
+of quadrature q precesses as if the case turned at delta a q/(3 k). A cubic softening of each mode by itself, - gamma x^3 and - gamma y^3, is
+X' = -i delta |X|^2 X, and Y' alike.</p>
 </html>"));
 end envelopeRates;

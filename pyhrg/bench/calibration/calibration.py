@@ -16,8 +16,7 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS, BiasTest
 from pyhrg.bench.bias.position import full_circumference
 from pyhrg.bench.bias.position.full_circumference import SEGMENTS, make_power_ons, read_runs
-from pyhrg.bench.bias.position.position_runs import estimate_within
-from pyhrg.bench.bias.position.positions import Plan
+from pyhrg.bench.bias.position.positions import Plan, estimate_within
 from pyhrg.bench.calibration.calibration_maps import (
     Calibration,
     add_maps,
@@ -29,9 +28,8 @@ from pyhrg.bench.figures import COLOURS, finish_axes
 from pyhrg.bench.outcome import Finding, Outcome, estimate_mean
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.readings.segments import Points
-from pyhrg.bench.scale_factor import rate_tests
-from pyhrg.bench.scale_factor.rate_tests import list_turn_exclusions, make_turn_power_ons
-from pyhrg.bench.scale_factor.scale_factor import SCALE
+from pyhrg.bench.scale_factor import scale_factor
+from pyhrg.bench.scale_factor.scale_factor import SCALE, list_turn_exclusions, make_turn_power_ons
 from pyhrg.common.units import DEG, DEG_PER_H, PPM
 from pyhrg.device.device import Device
 from pyhrg.records.campaign import Campaign, Test
@@ -45,7 +43,7 @@ RATE = 15 * DEG
 """Rate of the turns, rad/s: fast enough that the random walk hardly disturbs the angle."""
 PERIODS = 8
 """Periods of a turn each way: over seven turns of the table its tilt separates from the bias."""
-KINDS = (full_circumference.KIND, rate_tests.KIND)
+KINDS = (full_circumference.KIND, scale_factor.KIND)
 
 
 def record(
@@ -112,7 +110,7 @@ def evaluate(campaign: Campaign) -> Outcome:
 def _exclusions(tests: Campaign) -> tuple[str, ...]:
     """Only a rate test is asked for whole periods: between positions the table turns less."""
     positions = require_tests(tests, full_circumference.KIND)
-    return (*list_exclusions(positions), *list_turn_exclusions(tests, rate_tests.KIND))
+    return (*list_exclusions(positions), *list_turn_exclusions(tests, scale_factor.KIND))
 
 
 def find_residual_variation(

@@ -21,8 +21,12 @@ from pyhrg.bench.estimation.harmonics import MEAN, name_terms
 from pyhrg.bench.outcome import Finding
 from pyhrg.bench.procedure import require_tests
 from pyhrg.bench.readings.output_rows import read_bryan_factor
-from pyhrg.bench.scale_factor.rate_tests import read_rate_turns
-from pyhrg.bench.scale_factor.scale_factor import SCALE, ScaleFactorMap, fit_scale_factor_map
+from pyhrg.bench.scale_factor.scale_factor import (
+    SCALE,
+    ScaleFactorMap,
+    fit_scale_factor_map,
+    read_rate_turns,
+)
 from pyhrg.device.device import AngleMap, Device
 from pyhrg.records.campaign import Campaign
 

@@ -14,8 +14,7 @@ from itertools import chain
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.dead_zone import free_runs
-from pyhrg.bench.dead_zone.lock import Run, read_run
-from pyhrg.bench.dead_zone.turning import FOURTH, fit_turning, is_turning
+from pyhrg.bench.dead_zone.lock import FOURTH, Run, fit_turning, is_turning, read_run
 from pyhrg.bench.estimation.harmonics import MEAN, Fit
 from pyhrg.bench.estimation.sizes import estimate_amplitude
 from pyhrg.bench.outcome import BenchError, Finding, Outcome

@@ -7,8 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pyhrg.bench.dead_zone.lock import Run
-from pyhrg.bench.dead_zone.turning import FOURTH
+from pyhrg.bench.dead_zone.lock import FOURTH, Run
 from pyhrg.bench.estimation.harmonics import MEAN, Fit
 from pyhrg.bench.outcome import Finding, estimate_mean
 from pyhrg.common.pages.markup import Table

@@ -1,11 +1,24 @@
-"""What a free pattern does at a constant rate: it locks in, or turns in whole periods."""
+"""What a free pattern does at a constant rate: it locks in, or turns in whole periods. The bias map
+that locks it comes from logs in which the table turns the pattern slowly, both ways.
+
+The mean output rate of a segment less the mean input rate is the bias map averaged over the pattern
+angles of the segment. Errors of adjacent segments are correlated: the angle noise where one ends
+and the next begins enters both (`row_fit`). A pick-off error goes with the rate, the bias does not:
+both directions separate them.
+"""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, MEAN, Fit, name_terms
+from pyhrg.bench.estimation.row_fit import Part, compute_inflations, fit_rows
 from pyhrg.bench.outcome import BenchError
+from pyhrg.bench.readings.plateaus import find_plateaus
+from pyhrg.bench.readings.segments import COLUMNS, SEGMENT
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
@@ -20,10 +33,11 @@ STILL = 1 * DEG
 class Run:
     """One power-on at a constant rate.
 
-    name: of the test.
-    rate: inertial, on the input axis, rad/s; rotation: virtual, as an input rate.
-    pattern_rate: mean over whole periods, as an input rate: -(d th/dt)/k; 0 while locked.
-    locked: in the last quarter.
+    name: name of the test.
+    rate: inertial rate on the input axis, rad/s.
+    rotation: virtual rotation as an input rate, rad/s.
+    pattern_rate: mean over whole periods as an input rate, -(d th/dt)/k, rad/s; 0 while locked.
+    locked: whether the pattern is locked in the last quarter of the log.
     angle: mean pattern angle of the last quarter, rad.
     output: mean output rate of the last half, rad/s.
     """
@@ -80,3 +94,91 @@ def _turning_rate(log: Log) -> float:
     share = (periods * PERIOD - way[row - 1]) / (way[row] - way[row - 1])
     end = log.time[row - 1] + share * (log.time[row] - log.time[row - 1])
     return math.copysign(periods * PERIOD / float(end - log.time[0]), turned[-1])
+
+
+FOURTH = name_terms(4)
+ARC = 15 * DEG
+"""A segment ends when the pattern has turned by this, or after 100 s, but not within a row."""
+FASTEST = 10 * DEG
+"""Rate of the table, rad/s, beyond which a log says more of the read-out than of the bias."""
+SWEPT = 90 * DEG
+"""A log turns the pattern by this at least, a period of the fourth harmonic."""
+WITH_RATE = ("scale", "rate cos4", "rate sin4")
+GROUPS = {
+    "harmonic 4": FOURTH,
+    "errors of scale factor and pick-offs": WITH_RATE,
+    "harmonic 2": name_terms(2),
+    "harmonic 8": name_terms(8),
+}
+"""Terms beside the mean in the order in which they are asked of the logs."""
+
+
+def is_turning(log: Log) -> bool:
+    """Whether a log is fit for the map: table slow, pattern turned by it, drive and rotation
+    constant."""
+    log.require(*COLUMNS)
+    rate = np.max(np.abs(np.diff(log.table_angle))) / log.interval
+    still = np.all(log.virtual_rotation == 0.0) and np.all(log.drive_on > 0.5)
+    return bool(still and 0.0 < rate < FASTEST and np.ptp(log.wave_angle) >= SWEPT)
+
+
+def fit_turning(logs: Sequence[Log], site: Site) -> tuple[Fit, list[str]]:
+    """Bias map of turning logs, rad/s: mean, harmonics 4 and where they can be seen 2 and 8, and
+    what goes with the rate; and a sentence on each term that can't be identified."""
+    rows = [stretch for log in logs for stretch in _stretches(log, site)]
+    count = sum(map(len, rows))
+    if count < 10:
+        raise BenchError(f"{logs[0].source}: {count} segments of the turning pattern; 10 needed")
+    fastest = max(float(np.max(np.abs(stretch[:, 1]))) for stretch in rows)
+    parts = [_part(stretch, fastest) for stretch in rows]
+    names, refused = [MEAN], []
+    for name, group in GROUPS.items():
+        trial, enough = [*names, *group], len(names) + len(group) + 2 < count
+        if enough and max(compute_inflations(parts, trial).values()) <= LARGEST_INFLATION:
+            names = trial
+        elif name == "harmonic 4":
+            raise BenchError(f"{logs[0].source}: the pattern turned too little to see {name}")
+        else:
+            refused.append(f"the turning logs can't tell {name} from the fourth harmonic's terms")
+    return fit_rows(parts, names), refused
+
+
+def _part(stretch: Array, fastest: float) -> Part:
+    """Angles that the terms and the error turn the output by in each segment of a stretch."""
+    error, rate, span, *phasors = stretch.T
+    share = rate / fastest
+    columns = {
+        MEAN: np.ones_like(error),
+        **dict(zip((*name_terms(2), *FOURTH, *name_terms(8)), phasors, strict=True)),
+        **dict(zip(WITH_RATE, (share, share * phasors[2], share * phasors[3]), strict=True)),
+    }
+    scaled = {name: span * column for name, column in columns.items()}
+    return Part(scaled, span * error, float(span[0]))
+
+
+def _stretches(log: Log, site: Site) -> list[Array]:
+    """One array (n, 9) a plateau, a row for each of its equally long segments: output less input
+    rate, table's rate, length, mean cos 2, sin 2, ... sin 8."""
+    stretches = []
+    for plateau in find_plateaus(log, 3 * log.interval):
+        turned = max(abs(plateau.mean_rate(log, log.wave_angle)), 1e-12)
+        found = []
+        rows = max(1, round(min(SEGMENT, ARC / turned) / log.interval))
+        for begin in range(plateau.first, plateau.last - rows + 1, rows):
+            span = float(log.time[begin + rows] - log.time[begin])
+            rate = (log.table_angle[begin + rows] - log.table_angle[begin]) / span
+            output = (log.gyro_angle[begin + rows] - log.gyro_angle[begin]) / span
+            axis_up = np.mean(log.axis_up[begin + 1 : begin + rows + 1])
+            earth = site.vertical_rate * axis_up
+            angle = log.wave_angle[begin : begin + rows + 1]
+            means = (_mean(trig, order * angle) for order in (2, 4, 8) for trig in (np.cos, np.sin))
+            found.append((float(output - rate - earth), float(rate), span, *means))
+        if found:
+            stretches.append(np.array(found))
+    return stretches
+
+
+def _mean(trig: np.ufunc, phase: Array) -> float:
+    """Mean of cosine or sine over a phase (n,) that is linear between its values."""
+    middle, half = (phase[1:] + phase[:-1]) / 2, np.diff(phase) / 2
+    return float(np.mean(trig(middle) * np.sinc(half / np.pi)))

@@ -92,7 +92,7 @@ def find_eighth_harmonic(terms: Terms) -> tuple[Finding, ...]:
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Pick-off errors, the scale factor and the bias map that they are told from."""
+    """Pick-off errors, the scale factor, and the bias map that they are separated from."""
     terms = fit_pickoff_errors(campaign)
     stretches, left_out = select_slow_rows(campaign)
     labels = [f"{_rate(rows) / DEG:+.3g} deg/s" for rows in stretches]

@@ -1,7 +1,7 @@
 """Ring-downs: what the shell does by itself, drives off.
 
 The pattern moves and its amplitude decays by damping, split and rotation alone, so that the damping
-anisotropy is told from every error of the drives and, nearly, of the pick-offs. Without the
+anisotropy is separated from every error of the drives and, nearly, of the pick-offs. Without the
 quadrature loop the split makes quadrature, which turns the pattern too: decay, damping anisotropy
 and split are fitted together, to angle and amplitude, by the closed form of `free_orbit`.
 Where the pattern stays near one angle, only the part of the anisotropy that moves it is seen well.

@@ -1,4 +1,4 @@
-"""Virtual rotation both ways: what the drives do that they weren't told.
+"""Virtual rotation both ways: errors of the drives, seen in a rotation that is commanded.
 
 A commanded rotation V (input-referred) shows in the output as V (-e + (g + gd)/2 cos 4th +
 (d + nd)/2 sin 4th): gain error e, and mismatches of pick-offs and drives together. It changes its
@@ -52,7 +52,7 @@ def make_columns(rows: Rows) -> dict[str, Array]:
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Gain error, sums of mismatches, and the bias map that they are told from."""
+    """Gain error, sums of mismatches, and the bias map that they are separated from."""
     tests = require_tests(campaign, KIND)
     stretches = output_rows.require_steady_rows([test.log for test in tests])
     parts = [

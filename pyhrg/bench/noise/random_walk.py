@@ -80,7 +80,7 @@ def _findings(found: Noise | None, state: str) -> list[Finding]:
     findings = []
     for key, (name, unit) in TERMS.items():
         level: Coefficient = getattr(found.coefficients, key)
-        note = "" if level.present else "not told from zero: an upper bound"
+        note = "" if level.present else "compatible with zero: an upper bound"
         values = (level.value, unit, level.low, level.high, found.n)
         findings.append(Finding(name + state, *values, note))
     return findings
@@ -131,7 +131,7 @@ def _verdict(off: Noise | None, on: Noise | None, ratio: Finding) -> str:
     if off is None or on is None:
         return "The campaign has tests of one state only: no comparison."
     if math.isnan(ratio.si_value):
-        return "No angle random walk is told from zero without virtual rotation: no comparison."
+        return "Without virtual rotation no angle random walk is seen: no comparison."
     rate = abs(on.longest.rotation) / DEG
     within = f"{ratio.si_low:.2g} to {ratio.si_high:.2g}"
     return f"Virtual rotation at {rate:.3g} deg/s makes the random walk {within} times as large."

@@ -7,11 +7,10 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from pyhrg.bench.outcome import UNITS, Finding, Outcome
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.reporting.judgement import judge_findings
+from pyhrg.common.arrays import to_json_value
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.toml_table import TomlTable, read_json_table
 
@@ -40,8 +39,8 @@ def format_document(
             finding.key: {
                 "name": finding.name,
                 "unit": finding.unit,
-                "value": _convert(finding.value),
-                "interval_95": _convert(finding.interval),
+                "value": to_json_value(finding.value),
+                "interval_95": to_json_value(finding.interval),
                 "n": finding.n,
                 "note": finding.note,
             }
@@ -58,7 +57,7 @@ def format_document(
         "tables": [asdict(table) for table in outcome.tables],
         "warnings": list(outcome.warnings),
         "exclusions": list(outcome.exclusions),
-        "values_si": _convert(outcome.values),
+        "values_si": to_json_value(outcome.values),
     }
     return json.dumps(content, indent=2, allow_nan=False) + "\n"
 
@@ -107,14 +106,3 @@ def _read_finding(entry: TomlTable, at_least: bool) -> Finding:
     value, low, high = (math.nan if x is None else x * UNITS[unit] for x in numbers)
     n, note = entry.values["n"], entry.text("note", "")
     return Finding(entry.text("name", None), value, unit, low, high, n, note, at_least)
-
-
-def _convert(value: Any) -> Any:
-    """The value in types that JSON has: arrays as lists, and null for NaN and infinity."""
-    if isinstance(value, Mapping):
-        return {str(key): _convert(item) for key, item in value.items()}
-    if isinstance(value, np.ndarray | np.generic):
-        return _convert(value.tolist())
-    if isinstance(value, list | tuple):
-        return [_convert(item) for item in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value

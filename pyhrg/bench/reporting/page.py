@@ -6,21 +6,22 @@ from collections.abc import Mapping, Sequence
 from pyhrg.bench.outcome import Outcome
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.reporting.text import list_notes, make_findings_table
-from pyhrg.common.pages.markup import Table, make_paragraph, make_wide_table
-from pyhrg.common.pages.shell import make_document
+from pyhrg.common.pages.markup import Table, make_document, make_paragraph, make_wide_table
 
 STYLE = (
     "img{max-width:100%;background:#fff}.wide table{min-width:0}"
     ".wide td:not(:last-child),.wide th:not(:last-child){white-space:nowrap}"
+    ".wide td:nth-child(6){min-width:14rem}"
 )
 
 
 def make_page(
     title: str, overview: Table | None, sections: Sequence[str], notes: Sequence[str]
 ) -> str:
-    """HTML of the whole page: the overview, a section for each test, then notes."""
-    parts = [f"<h1>{html.escape(title)}</h1>", make_wide_table(overview) if overview else ""]
-    parts += [*sections, *(make_paragraph(note, "weak") for note in notes)]
+    """HTML of the whole page: a section for each test, the overview, then notes."""
+    parts = [f"<h1>{html.escape(title)}</h1>", *sections]
+    parts.append(make_wide_table(overview) if overview else "")
+    parts += [make_paragraph(note, "weak") for note in notes]
     return make_document(title, STYLE, "".join(parts), "", images=True)
 
 

@@ -8,6 +8,7 @@ from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.reporting.judgement import judge_findings
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.pages.svg import format_estimate
+from pyhrg.records.table import merge_sources
 
 
 def format_section(title: str, body: str) -> str:
@@ -23,11 +24,12 @@ def format_outcome(outcome: Outcome, limits: Mapping[str, float]) -> str:
 
 
 def list_notes(outcome: Outcome, limits: Mapping[str, float]) -> list[str]:
-    """One sentence on each limit of the specification, each warning and each exclusion."""
+    """One sentence on each limit of the specification, each warning, and each thing that was left
+    out of the records, missing in them or assumed."""
     return [
         *(f"Specification: {judgement}" for judgement in judge_findings(outcome, limits)),
         *(f"Warning: {warning}" for warning in outcome.warnings),
-        *(f"Excluded: {exclusion}" for exclusion in outcome.exclusions),
+        *(f"Record: {exclusion}" for exclusion in merge_sources(outcome.exclusions)),
     ]
 
 

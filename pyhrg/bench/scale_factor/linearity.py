@@ -20,8 +20,8 @@ from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_deviation
 from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.turns import PERIOD, SETTLE, Turn, find_turns
-from pyhrg.bench.scale_factor import rate_tests
-from pyhrg.bench.scale_factor.rate_tests import INTERVAL, RUNS, WARM_UP
+from pyhrg.bench.scale_factor import scale_factor
+from pyhrg.bench.scale_factor.scale_factor import INTERVAL, RUNS, WARM_UP
 from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG
@@ -156,7 +156,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             f"{asymmetry.value:.2g} ppm."
         ),
         tables=(Table("Rates, means of all power-ons", header, rows),),
-        exclusions=rate_tests.list_turn_exclusions(campaign, KIND),
+        exclusions=scale_factor.list_turn_exclusions(campaign, KIND),
         draw=lambda figure: draw(figure, lines),
     )
 

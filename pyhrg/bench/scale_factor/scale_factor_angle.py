@@ -13,10 +13,11 @@ from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.readings.output_rows import read_bryan_factor
 from pyhrg.bench.readings.turns import Turn
-from pyhrg.bench.scale_factor import rate_tests
-from pyhrg.bench.scale_factor.rate_tests import KIND, RUNS
+from pyhrg.bench.scale_factor import scale_factor
 from pyhrg.bench.scale_factor.scale_factor import (
     BIAS,
+    KIND,
+    RUNS,
     ScaleFactorMap,
     fit_scale_factor_map,
     make_period_table,
@@ -35,7 +36,7 @@ def record(
     bench: Bench, runs: int = RUNS, periods: int = PERIODS, rate: float = RATE
 ) -> list[Test]:
     """Tests of `runs` power-ons in each direction at a table rate, rad/s."""
-    return bench.run(rate_tests.make_turn_power_ons(bench, rate, periods, runs))
+    return bench.run(scale_factor.make_turn_power_ons(bench, rate, periods, runs))
 
 
 def compute_residual(turn: Turn, k: float) -> Array:
@@ -54,14 +55,14 @@ def compute_residual(turn: Turn, k: float) -> Array:
 def evaluate(campaign: Campaign) -> Outcome:
     """Scale factor, its map over the circumference, and the bias."""
     k = read_bryan_factor(campaign)
-    fitted = fit_scale_factor_map(rate_tests.read_rate_turns(campaign, slow=True), k)
+    fitted = fit_scale_factor_map(scale_factor.read_rate_turns(campaign, slow=True), k)
     residuals = [compute_residual(turn, k) for turn in fitted.turns]
     return Outcome(
         findings=(*fitted.findings(), *_summarize_residuals(residuals)),
         verdict=_describe_verdict(fitted),
         tables=(make_period_table(fitted.turns),),
         warnings=fitted.refused,
-        exclusions=rate_tests.list_turn_exclusions(campaign, KIND),
+        exclusions=scale_factor.list_turn_exclusions(campaign, KIND),
         draw=lambda figure: draw(figure, fitted, residuals),
         values={"scale_factor_map": fitted.fit.terms},
     )
@@ -94,7 +95,7 @@ def draw(figure: Figure, fitted: ScaleFactorMap, residuals: list[Array]) -> None
     axes = figure.add_subplot(title="Angle residual; where both ways differ, the bias shows")
     pairs = zip(fitted.turns, residuals, strict=True)
     points = [(turn.pattern_angle[: len(values)], values / ARCSEC) for turn, values in pairs]
-    rate_tests.draw_both_ways(axes, fitted.turns, points)
+    scale_factor.draw_both_ways(axes, fitted.turns, points)
     axes.set_ylabel("error of the pattern angle, arcsec")
     axes.legend(markerscale=3)
 

@@ -18,9 +18,10 @@ from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_pooled_de
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.readings.output_rows import read_bryan_factor
 from pyhrg.bench.readings.turns import Turn
-from pyhrg.bench.scale_factor import rate_tests
-from pyhrg.bench.scale_factor.rate_tests import KIND, RUNS
+from pyhrg.bench.scale_factor import scale_factor
 from pyhrg.bench.scale_factor.scale_factor import (
+    KIND,
+    RUNS,
     ScaleFactorMap,
     fit_scale_factor_map,
     make_period_table,
@@ -41,7 +42,7 @@ def record(
     bench: Bench, runs: int = RUNS, periods: int = PERIODS, rate: float = RATE
 ) -> list[Test]:
     """Tests of `runs` power-ons in each direction at a table rate, rad/s."""
-    return bench.run(rate_tests.make_turn_power_ons(bench, rate, periods, runs))
+    return bench.run(scale_factor.make_turn_power_ons(bench, rate, periods, runs))
 
 
 def compute_rate_error(turn: Turn) -> tuple[Array, Array]:
@@ -78,7 +79,7 @@ def estimate_stability(turns: Sequence[Turn]) -> Finding:
 def evaluate(campaign: Campaign) -> Outcome:
     """Scale factor, its map over the circumference, its stability in run, and the bias."""
     k = read_bryan_factor(campaign)
-    fitted = fit_scale_factor_map(rate_tests.read_rate_turns(campaign, slow=False), k)
+    fitted = fit_scale_factor_map(scale_factor.read_rate_turns(campaign, slow=False), k)
     errors = [compute_rate_error(turn) for turn in fitted.turns]
     durations = (round(SMOOTHING / turn.interval) * turn.interval for turn in fitted.turns)
     shares = [
@@ -97,7 +98,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         ),
         tables=(make_period_table(fitted.turns),),
         warnings=(*fitted.refused, _describe_lag(fitted, k)),
-        exclusions=rate_tests.list_turn_exclusions(campaign, KIND),
+        exclusions=scale_factor.list_turn_exclusions(campaign, KIND),
         draw=lambda figure: draw(figure, fitted, errors),
         values={"scale_factor_map": fitted.fit.terms},
     )
@@ -131,7 +132,7 @@ def draw(figure: Figure, fitted: ScaleFactorMap, errors: list[tuple[Array, Array
     axes = figure.add_subplot(
         title=f"Scale factor over the circumference, averages of {SMOOTHING:g} s"
     )
-    rate_tests.draw_both_ways(
+    scale_factor.draw_both_ways(
         axes, fitted.turns, [(pattern, error * 1e6) for pattern, error in errors]
     )
     grid = np.linspace(0.0, np.pi, 361)

@@ -20,11 +20,20 @@ from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_deviation
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.output_rows import read_bryan_factor
-from pyhrg.bench.readings.sweeps import BIAS, GAIN, SCALE, Sweep, find_sweeps, select_orders
 from pyhrg.bench.readings.turns import find_turns
 from pyhrg.bench.scale_factor.scale_factor import fit_scale_factor_map
 from pyhrg.bench.self_calibration import cycles
-from pyhrg.bench.self_calibration.cycles import Cycle, find_averaging_time, find_pooled_deviation
+from pyhrg.bench.self_calibration.cycles import (
+    BIAS,
+    GAIN,
+    SCALE,
+    Cycle,
+    Sweep,
+    find_averaging_time,
+    find_pooled_deviation,
+    find_sweeps,
+    select_orders,
+)
 from pyhrg.common.pages.svg import format_interval
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.campaign import Campaign, Test

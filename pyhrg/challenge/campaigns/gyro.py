@@ -8,16 +8,8 @@ from typing import Any
 import numpy as np
 from scipy.fft import irfft, next_fast_len, rfft, rfftfreq
 
-from pyhrg.bench.bench import (
-    LOOP_OUTPUTS,
-    OUTPUTS_AT_END,
-    Bench,
-    compute_earth_rate,
-    interpolate_rows,
-    record_rows,
-)
-from pyhrg.bench.programme import HELD_INPUTS, LOGGED_COMMANDS
-from pyhrg.challenge.campaigns.course import Course
+from pyhrg.bench.bench import LOOP_OUTPUTS, OUTPUTS_AT_END, Bench, compute_earth_rate, record_rows
+from pyhrg.bench.programme import HELD_INPUTS, LOGGED_COMMANDS, Course, interpolate_rows
 from pyhrg.challenge.campaigns.instruments import Instruments, record_log
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device

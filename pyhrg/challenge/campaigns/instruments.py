@@ -55,15 +55,16 @@ NOISY = (
 
 
 def record_log(log: Log, device: Device, own: Instruments, generator: np.random.Generator) -> Log:
-    """An exact log with reading noise, quantization and the digits of the recorded files. White
-    noise and quantum of the output angle are the device's. They are input-referred, so the pattern
-    angle has the noise times the Bryan factor."""
+    """An exact log with reading noise, quantization and the digits of the recorded files.
+
+    White noise and quantization step of the output angle are the device's. They are input-referred,
+    so the pattern angle has the noise times the Bryan factor."""
     draws = dict(zip(NOISY, generator.standard_normal((len(NOISY), len(log.time))), strict=True))
-    noise, quantum = device.angle_white_noise, device.quantization_step
+    noise, step = device.angle_white_noise, device.quantization_step
     angle = log.gyro_angle + noise * draws["gyro_angle"]
     force = log.amplitude_force
     noisy: dict[str, Any] = {
-        "gyro_angle": quantum * np.round(angle / quantum) if quantum else angle,
+        "gyro_angle": step * np.round(angle / step) if step else angle,
         "wave_angle": log.wave_angle + device.bryan_factor * noise * draws["wave_angle"],
         "amplitude_force": force + own.amplitude_force * force * draws["amplitude_force"],
         **{

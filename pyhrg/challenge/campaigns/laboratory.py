@@ -22,7 +22,7 @@ LEVELS = {"ideal": 0.0, "good-lab": 1.0, "rough-lab": 3.0}
 NOMINAL = tuple(
     k.fields[0] for k in KNOWN if k.family == "nominal" and k.fields[0] != "frequency_error"
 )
-"""Fields of a device that a campaign tells; the frequency is told as an error of its own."""
+"""Fields of a device that a campaign states as nominal; the frequency has an error of its own."""
 LOST_SHARE, OUTLIER_SHARE = 1e-3, 3e-4
 """Shares of rows that a good laboratory's recorder loses, and that hold a wrong angle. Chosen."""
 OUTLIER_SIZE = 0.05 * DEG
@@ -38,24 +38,26 @@ class Laboratory:
     """One laboratory; an ideal one by default.
 
     level: largest error of each value, in its tolerance; it scales the recorder's faults too.
-    errors: true less told value of a field of a device, by field, SI.
+    errors: true less nominal value of a field of a device, by field, SI.
     """
 
     level: float = 0.0
     errors: Mapping[str, float] = field(default_factory=dict)
 
-    def true_device(self, told: Device) -> Device:
-        """The gyro that differs from the told one in its nominal values."""
-        own: dict[str, Any] = {f: getattr(told, f) + self.errors.get(f, 0.0) for f in NOMINAL}
-        frequency = told.frequency + self.errors.get("frequency_error", 0.0)
-        latitude = told.site.latitude + self.errors.get("latitude_error", 0.0)
-        site = replace(told.site, latitude=latitude)
-        return replace(told, frequency=frequency, site=site, **own)
+    def true_device(self, nominal: Device) -> Device:
+        """The true gyro, which differs from the nominal one by the errors."""
+        own: dict[str, Any] = {f: getattr(nominal, f) + self.errors.get(f, 0.0) for f in NOMINAL}
+        frequency = nominal.frequency + self.errors.get("frequency_error", 0.0)
+        latitude = nominal.site.latitude + self.errors.get("latitude_error", 0.0)
+        site = replace(nominal.site, latitude=latitude)
+        return replace(nominal, frequency=frequency, site=site, **own)
 
-    def list_beyond(self, told: Device) -> tuple[str, ...]:
+    def list_beyond(self, nominal: Device) -> tuple[str, ...]:
         """Names of the known parameters that are off by more than their tolerance."""
         return tuple(
-            k.name for k in KNOWN if abs(self.errors.get(k.fields[0], 0.0)) > k.tolerance_of(told)
+            k.name
+            for k in KNOWN
+            if abs(self.errors.get(k.fields[0], 0.0)) > k.tolerance_of(nominal)
         )
 
     def read(self, log: Log, reference_temperature: float) -> Log:
@@ -103,11 +105,11 @@ class Laboratory:
         return replace(log, **columns)
 
 
-def draw_laboratory(told: Device, level: float, generator: np.random.Generator) -> Laboratory:
+def draw_laboratory(nominal: Device, level: float, generator: np.random.Generator) -> Laboratory:
     """A laboratory each of whose values is off by up to its tolerance, times the level."""
     errors: dict[str, float] = {}
     for known in KNOWN:
-        size = level * known.tolerance_of(told)
+        size = level * known.tolerance_of(nominal)
         errors[known.fields[0]] = float(size * generator.uniform(-1, 1))
         if known.periods or known.name == "thermometer_lag":
             errors[known.fields[0]] = abs(errors[known.fields[0]])
@@ -116,12 +118,12 @@ def draw_laboratory(told: Device, level: float, generator: np.random.Generator) 
     return Laboratory(level, errors)
 
 
-def vary_each(told: Device, level: float) -> list[Laboratory]:
+def vary_each(nominal: Device, level: float) -> list[Laboratory]:
     """Laboratories of a level in each of which one component of one known parameter is off, by its
     tolerance times the level; none where the level is 0."""
     none = dict.fromkeys((field for known in KNOWN for field in known.fields), 0.0)
     return [
-        Laboratory(level, {**none, known.fields[0]: level * known.tolerance_of(told), **angle})
+        Laboratory(level, {**none, known.fields[0]: level * known.tolerance_of(nominal), **angle})
         for known in KNOWN * bool(level)
         for angle in ([{known.fields[1]: a} for a in (0.0, np.pi / 2)] if known.periods else [{}])
     ]

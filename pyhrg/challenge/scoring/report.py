@@ -1,6 +1,5 @@
 """A challenge's score, as JSON and as a table."""
 
-import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from functools import cached_property
@@ -14,6 +13,7 @@ from pyhrg.challenge.scoring.named import AnyCase, RefusedCase, is_right, list_n
 from pyhrg.challenge.scoring.score import CurvePoint
 from pyhrg.challenge.truths.seal import encode_json
 from pyhrg.challenge.truths.truth import DETECTION_SIGMAS
+from pyhrg.common.arrays import to_json_value
 from pyhrg.common.errors import describe_briefly
 from pyhrg.common.files import write_whole
 
@@ -70,9 +70,9 @@ def write(result: Score, path: Path) -> None:
     """Write `score.json`, whole or not at all."""
     document = {
         "schema": SCHEMA,
-        "figures": [{**_drop_infinite(asdict(f)), "passed": f.passed} for f in result.figures],
+        "figures": [{**to_json_value(asdict(f)), "passed": f.passed} for f in result.figures],
         "curve": [
-            _drop_infinite(
+            to_json_value(
                 {
                     "low_sigmas": point.low,
                     "high_sigmas": point.high,
@@ -125,12 +125,4 @@ def _describe_case(case: AnyCase) -> dict[str, Any]:
         ],
         "removed": score.find_removed_share(case),
         "coordinate": score.find_main_coordinate(case.diagnosis),
-    }
-
-
-def _drop_infinite(values: dict[str, Any]) -> dict[str, Any]:
-    """Values with None in place of infinity and NaN, which JSON lacks."""
-    return {
-        name: None if isinstance(value, float) and not math.isfinite(value) else value
-        for name, value in values.items()
     }

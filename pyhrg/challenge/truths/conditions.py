@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pyhrg.challenge.campaigns.course import Course
+from pyhrg.bench.programme import Course
 from pyhrg.challenge.truths.form import find_ideal_pattern_angle, find_resonator_warmth, follow
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
@@ -34,7 +34,7 @@ class Conditions:
     virtual_rotation: Array
     """Commanded rotation as an input rate, zero while the drive is off, rad/s."""
     amplitude: Array
-    """Amplitude of the vibration; NaN where it is not told."""
+    """Amplitude of the vibration; NaN where it is not known."""
 
 
 def find_conditions_of_course(

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from pyhrg.challenge.campaigns.course import Course
+from pyhrg.bench.programme import Course
 from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.challenge.truths.conditions import (
     Conditions,

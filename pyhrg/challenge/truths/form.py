@@ -8,7 +8,7 @@ from importlib import import_module
 import numpy as np
 from scipy.signal import lfilter
 
-from pyhrg.challenge.campaigns.course import Course
+from pyhrg.bench.programme import Course
 from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device

@@ -9,8 +9,7 @@ from functools import cached_property, partial
 import numpy as np
 from scipy.optimize import minimize_scalar
 
-from pyhrg.bench.programme import Programme
-from pyhrg.challenge.campaigns.course import Course, make_course
+from pyhrg.bench.programme import Course, Programme, make_course
 from pyhrg.challenge.campaigns.gyro import Disturbance, TrueGyro
 from pyhrg.challenge.campaigns.instruments import Instruments
 from pyhrg.challenge.campaigns.laboratory import Laboratory
@@ -72,14 +71,14 @@ class Meter:
     because settled loops don't show them.
 
     simulation: both fidelities.
-    believed: the nominal device.
+    nominal: the nominal device.
     tests: course and start angle, rad, of each test that a diagnosis may fit.
     laboratories: each with one known parameter that is off by a standard deviation. Strengths count
         beside these parameters: what they imitate within their tolerances counts as noise.
     """
 
     simulation: Simulation
-    believed: Device
+    nominal: Device
     tests: Sequence[tuple[Course, float]]
     instruments: Instruments
     laboratories: Sequence[Laboratory] = ()
@@ -92,18 +91,18 @@ class Meter:
         """
         if name in EFFECTS:
             effect = EFFECTS[name]
-            return self.sigmas(effect.put(self.believed, effect.vector_of(parameters)))
+            return self.sigmas(effect.put(self.nominal, effect.vector_of(parameters)))
         noise = NOISE_EFFECTS[name]
         value = noise.key.to_si(parameters[noise.key.name])
-        return self.sigmas_of_noise(set_noise(self.believed, noise, value))
+        return self.sigmas_of_noise(set_noise(self.nominal, noise, value))
 
     def sigmas(self, device: Device, disturbance: Disturbance = NOTHING) -> float:
         """Strength of the gap between a true gyro and the nominal device (Eq. 1)."""
         return float(np.linalg.norm(self.residual(device, disturbance)))
 
     def sigmas_beyond(self, effect: Effect, gap: Array) -> float:
-        """Strength of a gap, (n,) of `residual`, without the part that an effect can imitate: that
-        in the space of its sensitivities."""
+        """Strength of a gap, (n,) of `residual`, without the part that an effect can imitate: its
+        projection on the effect's sensitivities."""
         basis = np.linalg.qr(self._compute_sensitivities([effect]))[0]
         return float(np.linalg.norm(gap - basis @ (basis.T @ gap)))
 
@@ -122,7 +121,7 @@ class Meter:
     def _compute_sensitivities(self, effects: Sequence[Effect]) -> Array:
         """(n, p) sensitivities to the components of the effects, each of length 1."""
         steps = [
-            effect.put(self.believed, effect.vector(self.believed) + STEP * effect.scale * unit)
+            effect.put(self.nominal, effect.vector(self.nominal) + STEP * effect.scale * unit)
             for effect in effects
             for unit in np.eye(effect.size)
         ]
@@ -139,7 +138,7 @@ class Meter:
     def sigmas_of_unsteady(self, disturbance: Disturbance) -> float:
         """Strength of noise bursts beyond the best stationary noise."""
         series: dict[tuple[str, float], list[Array]] = {}
-        white = self._whiten(self.believed, self._compute_residuals(self.believed, disturbance))
+        white = self._whiten(self.nominal, self._compute_residuals(self.nominal, disturbance))
         for (course, _), residuals in zip(self.tests, white, strict=True):
             for channel, residual in residuals.items():
                 series.setdefault((channel, course.interval), []).append(residual)
@@ -150,8 +149,8 @@ class Meter:
         logs = self._simulate_logs(device, disturbance)
         every = zip(logs, self._nominal_tests, self._expected, strict=True)
         return [
-            {n: r - expected[n] for n, r in self._compute_residual(log, nominal).items()}
-            for log, nominal, expected in every
+            {n: r - expected[n] for n, r in self._compute_residual(log, test).items()}
+            for log, test, expected in every
         ]
 
     def _simulate_logs(self, device: Device, disturbance: Disturbance) -> list[Log]:
@@ -165,10 +164,10 @@ class Meter:
     @cached_property
     def _known_residuals(self) -> list[list[Residual]]:
         """Residuals of all tests of the nominal device in each laboratory."""
-        reference = self.believed.reference_temperature
+        reference = self.nominal.reference_temperature
         return [
             self._compute_residuals(
-                laboratory.true_device(self.believed),
+                laboratory.true_device(self.nominal),
                 Disturbance(shown=partial(laboratory.read, reference_temperature=reference)),
             )
             for laboratory in self.laboratories
@@ -177,59 +176,59 @@ class Meter:
     def _replay(self, inputs: ReplayInputs) -> dict[str, Array]:
         shape = len(inputs.log.time), inputs.log.interval
         fmu = self.simulation.model(*shape)
-        return replay_inputs(fmu, self.believed, inputs, _choose_step(*shape))
+        return replay_inputs(fmu, self.nominal, inputs, _choose_step(*shape))
 
     def _whiten(self, device: Device, residuals: Sequence[Residual]) -> list[Residual]:
         """The compared rows of residuals of each test, whitened with a device's noise."""
         white = []
-        for nominal, gaps in zip(self._nominal_tests, residuals, strict=True):
-            noises, own = self._build_noises(device, nominal.log.interval), Residual()
+        for test, gaps in zip(self._nominal_tests, residuals, strict=True):
+            noises, own = self._build_noises(device, test.log.interval), Residual()
             for name, gap in gaps.items():
-                rows, out = nominal.rows[name], nominal.carrier_terms[name]
-                steps = np.diff(nominal.log.time[rows], prepend=0.0)
+                rows, out = test.rows[name], test.carrier_terms[name]
+                steps = np.diff(test.log.time[rows], prepend=0.0)
                 own[name] = whiten(gap[rows, None], steps, noises[name], out[rows]).series[:, 0]
             white.append(own)
         return white
 
     @cached_property
     def _nominal_tests(self) -> list[NominalTest]:
-        logs = self._simulate_logs(self.believed, NOTHING)
+        logs = self._simulate_logs(self.nominal, NOTHING)
         return [self._prepare_nominal_test(log) for log in logs]
 
     def _prepare_nominal_test(self, log: Log) -> NominalTest:
-        test = observe_test(Test("", "", "fit", log), self.believed)
+        test = observe_test(Test("", "", "fit", log), self.nominal)
         ends = [replace(test.inputs, start_angle=test.inputs.start_angle + s) for s in SLOPE_SHIFTS]
         low, high = (self._replay(inputs) for inputs in ends)
         slopes = {name: (high[name] - low[name]) / np.ptp(SLOPE_SHIFTS) for name in CHANNELS}
-        shift = 1 - self.believed.bryan_factor * slopes["gyro_angle"]
+        shift = 1 - self.nominal.bryan_factor * slopes["gyro_angle"]
         off = (log.drive_on <= 0) & (np.abs(shift - 1) > NOISE_GROWTH_LIMIT)
         kept = ~np.logical_or.accumulate(off)
         rows = {name: test.rows[name] & kept for name in CHANNELS}
         now = {name: slope / np.where(kept, shift, 1.0) for name, slope in slopes.items()}
         slopes = {**now, "gyro_angle": np.zeros(len(log.time))}
-        out = _scale_force(log, compute_carrier_terms(self.believed, test, log.wave_angle))
+        out = _scale_force(log, compute_carrier_terms(self.nominal, test, log.wave_angle))
         return NominalTest(log, rows, slopes, out)
 
     @cached_property
     def _expected(self) -> list[Residual]:
         """Residual of each test without a gap. It is not zero, because a replay knows the inputs
         only from the log."""
-        return [self._compute_residual(nominal.log, nominal) for nominal in self._nominal_tests]
+        return [self._compute_residual(test.log, test) for test in self._nominal_tests]
 
-    def _compute_residual(self, log: Log, nominal: NominalTest) -> Residual:
-        answer = self._replay(prepare_inputs(log, self.believed))
+    def _compute_residual(self, log: Log, test: NominalTest) -> Residual:
+        answer = self._replay(prepare_inputs(log, self.nominal))
         residual = {name: getattr(log, name) - answer[name] for name in CHANNELS}
-        turned = self.believed.bryan_factor * residual["gyro_angle"]
-        at_angle = {name: residual[name] + nominal.slopes[name] * turned for name in CHANNELS}
+        turned = self.nominal.bryan_factor * residual["gyro_angle"]
+        at_angle = {name: residual[name] + test.slopes[name] * turned for name in CHANNELS}
         return _scale_force(log, at_angle)
 
     def _build_noises(self, device: Device, interval: float) -> dict[str, NoiseModel]:
         """Noise by channel. A replay gets the logged temperature, so the thermometer's noise enters
         amplitude force and frequency, smoothed by the thermal lag."""
-        own, lag = self.instruments, self.believed.thermal_lag
+        own, lag = self.instruments, self.nominal.thermal_lag
         warm = own.temperature * math.sqrt(interval)
-        detuned = abs(self.believed.frequency * self.believed.frequency_per_kelvin)
-        damped = abs(self.believed.decay_time_per_kelvin)
+        detuned = abs(self.nominal.frequency * self.nominal.frequency_per_kelvin)
+        damped = abs(self.nominal.decay_time_per_kelvin)
         return {
             "gyro_angle": NoiseModel(
                 device.angle_white_noise,
@@ -244,17 +243,17 @@ class Meter:
         }
 
     def sigmas_of_noise(self, device: Device, against: Device | None = None) -> float:
-        """Strength of a device's noise beyond that of another device, the believed one by default
+        """Strength of a device's noise beyond that of another device, the nominal one by default
         (Eq. 2)."""
-        return measure_noise(device, against or self.believed, [course for course, _ in self.tests])
+        return measure_noise(device, against or self.nominal, [course for course, _ in self.tests])
 
     def sigmas_of_noise_beyond(self, noise: NoiseEffect, device: Device) -> float:
-        """Strength of a device's noise beyond that level of another noise that imitates it best."""
+        """Strength of a device's noise when another noise, at its best level, imitates it."""
 
         def compute_strength(logarithm: float) -> float:
             added = math.exp(logarithm) * noise.scale
-            value = math.hypot(getattr(self.believed, noise.field), added)
-            return self.sigmas_of_noise(device, set_noise(self.believed, noise, value))
+            value = math.hypot(getattr(self.nominal, noise.field), added)
+            return self.sigmas_of_noise(device, set_noise(self.nominal, noise, value))
 
         return float(minimize_scalar(compute_strength, bounds=LOG_SIZE_RANGE, method="bounded").fun)
 

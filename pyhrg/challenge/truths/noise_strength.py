@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from scipy.optimize import minimize
 
-from pyhrg.challenge.campaigns.course import Course
+from pyhrg.bench.programme import Course
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import NoiseEffect

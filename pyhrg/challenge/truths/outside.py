@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from pyhrg.challenge.campaigns.course import Course
+from pyhrg.bench.programme import Course
 from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.challenge.truths.conditions import Conditions
 from pyhrg.challenge.truths.entry import (

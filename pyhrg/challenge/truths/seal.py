@@ -12,9 +12,8 @@ from pyhrg.challenge.truths.truth import Truth
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
 from pyhrg.common.reading.documents import read_json
-from pyhrg.common.reading.failures import refuse_unreadable
 from pyhrg.common.reading.files import read_bytes
-from pyhrg.common.reading.limits import DOCUMENT_BYTES
+from pyhrg.common.reading.limits import DOCUMENT_BYTES, refuse_unreadable
 
 
 class ChallengeError(HrgError):

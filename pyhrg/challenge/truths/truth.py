@@ -117,7 +117,7 @@ class Drawing:
         least, most = COUNTS[kind][0], min(COUNTS[kind][1], len(self.effects))
         count = least if least == most else int(self.generator.integers(least, most + 1))
         names = self.generator.choice(self.effects, size=count, replace=False).tolist()
-        device = self.meter.believed
+        device = self.meter.nominal
         parameters: dict[str, float] = {}
         strengths = tuple(self._draw_strength() for _ in names)
         for name, sigmas in zip(names, strengths, strict=True):
@@ -136,12 +136,12 @@ class Drawing:
 
     def _draw_change(self, name: str) -> "Change":
         """An effect as a function of its size, in a direction that is drawn now."""
-        believed = self.meter.believed
+        nominal = self.meter.nominal
         if name in NOISE_EFFECTS:
             noise = NOISE_EFFECTS[name]
 
             def raise_noise(size: float) -> tuple[Put, dict[str, float]]:
-                total = math.hypot(getattr(believed, noise.field), size * noise.scale)
+                total = math.hypot(getattr(nominal, noise.field), size * noise.scale)
                 values = {noise.key.name: noise.key.from_si(total)}
                 return partial(set_noise, noise=noise, value=total), values
 
@@ -150,7 +150,7 @@ class Drawing:
         direction = _draw_direction(effect, self.generator)
 
         def add_vector(size: float) -> tuple[Put, dict[str, float]]:
-            vector = effect.vector(believed) + size * effect.scale * direction
+            vector = effect.vector(nominal) + size * effect.scale * direction
             return partial(effect.put, vector=vector), effect.parameters(vector)
 
         return add_vector
@@ -159,25 +159,25 @@ class Drawing:
         return self.meter.sigmas_of(name, change(size)[1])
 
     def _measure_beside(self, name: str, other: str, device: Device) -> float:
-        """Strength of one effect of a device beyond that size of another effect that imitates it
-        best, sigmas. A deterministic effect can't imitate noise; noise makes a deterministic effect
+        """Strength of one effect of a device when another effect, at its best size, imitates it,
+        sigmas. A deterministic effect can't imitate noise; noise makes a deterministic effect
         weaker."""
-        meter, believed = self.meter, self.meter.believed
+        meter, nominal = self.meter, self.meter.nominal
         if name in NOISE_EFFECTS:
             noise = NOISE_EFFECTS[name]
-            alone = set_noise(believed, noise, getattr(device, noise.field))
+            alone = set_noise(nominal, noise, getattr(device, noise.field))
             rival = NOISE_EFFECTS.get(other)
             return meter.sigmas_of_noise_beyond(rival, alone) if rival else math.inf
         effect = EFFECTS[name]
         if other in NOISE_EFFECTS:
             noise = NOISE_EFFECTS[other]
-            noisy = set_noise(believed, noise, getattr(device, noise.field))
+            noisy = set_noise(nominal, noise, getattr(device, noise.field))
             return meter.sigmas(effect.put(noisy, effect.vector(device)))
-        gap = meter.residual(effect.put(believed, effect.vector(device)))
+        gap = meter.residual(effect.put(nominal, effect.vector(device)))
         return meter.sigmas_beyond(EFFECTS[other], gap)
 
     def _find_stand_ins(self, name: str, device: Device) -> tuple[str, ...]:
-        """Effects beside the best size of which this one has less than `DETECTION_SIGMAS`."""
+        """Effects that imitate this one so well that less than `DETECTION_SIGMAS` of it is left."""
         return tuple(
             other
             for other in EFFECT_NAMES
@@ -190,19 +190,19 @@ class Drawing:
         seed = int(self.generator.integers(2**31))
 
         def disturb(size: float) -> Disturbance:
-            return form.disturbance(meter.believed, size, np.random.default_rng(seed))
+            return form.disturbance(meter.nominal, size, np.random.default_rng(seed))
 
         def measure(size: float) -> float:
             if form.coordinate == "noise":
                 return meter.sigmas_of_unsteady(disturb(size))
-            return meter.sigmas_beyond_catalogue(meter.residual(meter.believed, disturb(size)))
+            return meter.sigmas_beyond_catalogue(meter.residual(meter.nominal, disturb(size)))
 
         sigmas = self._draw_strength()
         size = solve_size(measure, sigmas)
         if size is None:
             return None
         truth = Truth("outside", (), {}, (sigmas,), form.name, form.coordinate, form.place, size)
-        return TrueState(truth, meter.believed, disturb(size))
+        return TrueState(truth, meter.nominal, disturb(size))
 
 
 Put = Callable[[Device], Device]

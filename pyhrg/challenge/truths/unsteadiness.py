@@ -11,8 +11,8 @@ CELL = 16
 
 
 def measure_unsteadiness(kinds: Sequence[Sequence[Array]]) -> float:
-    """Strength, sigmas, of noise that is added to white noise, beyond the stationary noise of any
-    spectrum that imitates it best: the root of twice the divergence of the two.
+    """How clearly noise that is added to white noise is not stationary, sigmas: the root of twice
+    its Kullback-Leibler divergence from the closest stationary noise.
 
     The added power is estimated in cells, from 16 Haar coefficients each: one time scale by one
     stretch of time. The expected contribution of their scatter is subtracted.

@@ -6,9 +6,13 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from pyhrg.common.errors import HrgError
-from pyhrg.common.reading.failures import refuse_unreadable
 from pyhrg.common.reading.files import open_file
-from pyhrg.common.reading.limits import ARCHIVE_ENTRIES, check_size, compute_expanded_limit
+from pyhrg.common.reading.limits import (
+    ARCHIVE_ENTRIES,
+    check_size,
+    compute_expanded_limit,
+    refuse_unreadable,
+)
 
 METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
 """Compressions that are read, those of FMI 3.0.2, 2.5; others expand without a bound."""

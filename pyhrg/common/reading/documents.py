@@ -1,15 +1,16 @@
-"""JSON, TOML and XML."""
+"""JSON, TOML, XML and CSV."""
 
+import csv
 import json
 import tomllib
 import xml.etree.ElementTree as ET
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from pyhrg.common.errors import HrgError
-from pyhrg.common.reading.failures import refuse_unreadable
 from pyhrg.common.reading.files import decode, read_bytes
-from pyhrg.common.reading.limits import DOCUMENT_BYTES, XML_BYTES, check_size
+from pyhrg.common.reading.limits import DOCUMENT_BYTES, XML_BYTES, check_size, refuse_unreadable
 
 
 def read_json(path: Path) -> dict[str, Any]:
@@ -37,3 +38,24 @@ def parse_xml(source: object, data: bytes) -> ET.Element:
     check_size(source, len(data), XML_BYTES)
     with refuse_unreadable(source, "XML"):
         return ET.fromstring(data)
+
+
+def parse_csv(source: object, text: str, delimiter: str = ",") -> Iterator[tuple[int, list[str]]]:
+    """Number and fields of each row that has any; the number counts lines from 1."""
+    reader = csv.reader(iterate_lines(text), delimiter=delimiter)
+    while True:
+        with refuse_unreadable(f"{source}: row {reader.line_num + 1}", "CSV"):
+            row = next(reader, None)
+        if row is None:
+            return
+        if row:
+            yield reader.line_num, row
+
+
+def iterate_lines(text: str) -> Iterator[str]:
+    """Lines of a text with their ends, one at a time: a copy of a large text costs memory."""
+    begin = 0
+    while begin < len(text):
+        end = text.find("\n", begin) + 1 or len(text)
+        yield text[begin:end]
+        begin = end

@@ -9,8 +9,12 @@ from pathlib import Path
 from typing import BinaryIO
 
 from pyhrg.common.errors import HrgError
-from pyhrg.common.reading.failures import refuse_unreadable
-from pyhrg.common.reading.limits import LOG_BYTES, check_size, compute_expanded_limit
+from pyhrg.common.reading.limits import (
+    LOG_BYTES,
+    check_size,
+    compute_expanded_limit,
+    refuse_unreadable,
+)
 
 WITHOUT_WAITING = getattr(os, "O_NONBLOCK", 0)
 """Flag of opening without waiting for a pipe's writer; 0 on Windows, which has none."""

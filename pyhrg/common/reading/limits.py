@@ -1,4 +1,9 @@
-"""The limits of all readers. Sizes are computed and refused before memory is taken."""
+"""The limits of all readers, and whatever fails while a file is read as one clear refusal. Sizes
+are computed and refused before memory is taken.
+"""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 from pyhrg.common.errors import HrgError
 
@@ -36,3 +41,22 @@ def check_size(source: object, size: int, most: int) -> None:
             f"{source}: found {size / MEBIBYTE:.1f} MiB or more, expected at most "
             f"{most / MEBIBYTE:g} MiB"
         )
+
+
+@contextmanager
+def refuse_unreadable(source: object, expected: str) -> Iterator[None]:
+    """Turn every failure of the block into an `HrgError`.
+
+    Parsers raise more kinds of errors than they document: of recursion, overflow, memory, lookup.
+
+    source: the file, and the place in it, for the message; expected: what it should be.
+    """
+    try:
+        yield
+    except HrgError:
+        raise
+    except Exception as error:
+        if isinstance(error, OSError) and error.strerror:
+            raise HrgError(f"{source}: can't be read: {error.strerror}") from error
+        reason = str(error) or type(error).__name__
+        raise HrgError(f"{source}: found what is no {expected}: {reason}") from error

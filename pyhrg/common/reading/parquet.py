@@ -6,9 +6,8 @@ from pathlib import Path
 import pandas as pd
 import pyarrow.parquet as pq
 
-from pyhrg.common.reading.failures import refuse_unreadable
 from pyhrg.common.reading.files import read_unpacked
-from pyhrg.common.reading.limits import check_size, compute_expanded_limit
+from pyhrg.common.reading.limits import check_size, compute_expanded_limit, refuse_unreadable
 
 
 def read_parquet(path: Path) -> pd.DataFrame:

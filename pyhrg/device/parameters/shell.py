@@ -101,6 +101,13 @@ class ShellParameters:
         effect=EffectDeclaration("duffing_stiffness", 1e-2 * HZ, ("amplitude",), 13),
     )
     """Frequency shift at unit amplitude by cubic stiffness, rad/s."""
+    electrostatic_cubic: float = parameter(
+        key="electrostatic_cubic_Hz",
+        unit=HZ,
+        limits=(-10, 10),
+        fmu="resonator.material.electrostaticCubic",
+    )
+    """Softening of x and of y at unit amplitude of their own by eight electrodes [delta], rad/s."""
     thermal_lag: float = parameter(
         600.0,
         key="thermal_lag_s",
@@ -159,6 +166,10 @@ class ShellParameters:
         ),
     )
     """x reads x (1 + 3/4 b |x|^2), y alike [b]."""
+    sampling_skew: float = parameter(
+        key="sampling_skew_s", limits=(-1e-3, 1e-3), fmu="pickOff.samplingSkew"
+    )
+    """Time after x at which y is sampled [ts], s."""
     phase_error: float = parameter(
         key="phase_error_rad",
         limits=(-1, 1),

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.common.keys import Key
+from pyhrg.common.toml_table import Key
 from pyhrg.device.declarations import Family, read_declarations
 from pyhrg.device.device import Device
 from pyhrg.device.keys import KEYS

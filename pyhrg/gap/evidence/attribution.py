@@ -39,8 +39,8 @@ from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
 
 CONVERGENCE_DISTANCE = 0.1 / math.sqrt(LINEARIZATION_ERROR)
 """The search has converged when a step moves the gyro by less than this Mahalanobis distance
-(Eq. (11)), 3.2. Derived: what is not linear in it would move the gyro by a tenth of the standard
-deviation of the estimate."""
+(Eq. (11)), 3.2. Derived: the linearization error of such a step moves the estimate by a tenth of
+its standard deviation."""
 SENSITIVITY_DISTANCE = 300.0
 """Mahalanobis distance from where all sensitivities were taken beyond which they are taken again.
 Chosen."""

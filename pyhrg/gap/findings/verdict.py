@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.common.keys import Key
+from pyhrg.common.toml_table import Key
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.evidence import find_equivalents

@@ -31,9 +31,9 @@ def compute_divergence(
 
 
 def increment_spectrum(noise: NoiseModel, interval: float, angular: Array) -> Array:
-    """(n,) spectral density of the increments from reading to reading, an interval in s apart, at
-    (n,) angular frequencies, rad per reading; its mean over all of these is their variance (Eq.
-    (5))."""
+    """(n,) power spectral density of the angle's increments between consecutive readings at (n,)
+    angular frequencies, rad per reading (Eq. 5). The interval between readings is in s. The mean of
+    the density over all frequencies is the variance of an increment."""
     cosine = np.cos(angular)
     difference = 2 - 2 * cosine
     total = noise.angle_white_noise**2 * difference + noise.angle_random_walk**2 * interval

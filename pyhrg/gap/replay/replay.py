@@ -8,15 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from pyhrg.bench.bench import (
-    LOOP_OUTPUTS,
-    OUTPUTS_AT_END,
-    compute_earth_rate,
-    compute_step_middles,
-    interpolate_rows,
-    record_rows_together,
-)
-from pyhrg.bench.programme import HELD_INPUTS
+from pyhrg.bench.bench import LOOP_OUTPUTS, OUTPUTS_AT_END, compute_earth_rate, record_rows_together
+from pyhrg.bench.programme import HELD_INPUTS, compute_step_middles, interpolate_rows
 from pyhrg.common.arrays import Array
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device

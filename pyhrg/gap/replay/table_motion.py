@@ -7,7 +7,7 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse import linalg
 
-from pyhrg.bench.bench import compute_step_middles, interpolate_rows
+from pyhrg.bench.programme import compute_step_middles, interpolate_rows
 from pyhrg.common.arrays import Array
 
 NEGLIGIBLE_TURN = 1e-8

@@ -15,7 +15,7 @@ from pyhrg.gap.report.words import (
     format_group,
     format_percent,
     parse_parameter,
-    read_told_value,
+    read_nominal_value,
     show_share,
 )
 
@@ -46,7 +46,7 @@ def _make_rows(cause: Cause, result: CampaignDiagnosis) -> list[tuple[str, ...]]
     rows: list[tuple[str, ...]] = []
     for i, (parameter, value) in enumerate(cause.parameters.items()):
         words, unit, scale = parse_parameter(parameter)
-        nominal = scale * read_told_value(result.nominal, parameter)
+        nominal = scale * read_nominal_value(result.nominal, parameter)
         low, high = (scale * end for end in cause.interval_95[parameter])
         text = format_interval(scale * value, low, high)
         equivalents = html.escape(", ".join(format_effect(e) for e in cause.equivalents) or "–")

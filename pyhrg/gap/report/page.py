@@ -7,18 +7,23 @@ from importlib.resources import files
 from pathlib import Path
 
 from pyhrg.common.files import stage_files
-from pyhrg.common.pages.markup import make_paragraph
-from pyhrg.common.pages.shell import PageSection, make_contents, make_document, read_asset
+from pyhrg.common.pages.markup import (
+    PageSection,
+    make_contents,
+    make_document,
+    make_paragraph,
+    read_asset,
+)
 from pyhrg.gap.diagnose import FILES, CampaignDiagnosis
 from pyhrg.gap.report.causes import build_causes, build_ranking
 from pyhrg.gap.report.closing import build_closing
-from pyhrg.gap.report.held_out import build_held_out, draw_largest
 from pyhrg.gap.report.places import build_places, build_scales
-from pyhrg.gap.report.residuals import build_residuals
+from pyhrg.gap.report.residuals import build_held_out, build_residuals, draw_largest
 from pyhrg.gap.report.sections import Section
 from pyhrg.gap.report.terms import build_terms
 from pyhrg.gap.report.verdict import answer_questions, write_headline
 from pyhrg.gap.report.words import build_table, format_name
+from pyhrg.records.table import merge_sources
 
 PAGE = "report.html"
 TITLE = "Gap between simulation and gyro"
@@ -104,5 +109,5 @@ def _build_data(result: CampaignDiagnosis) -> str:
     excluded = result.diagnosis.excluded
     if not excluded:
         return tests + make_paragraph("Nothing was left out.")
-    listed = "".join(f"<li>{html.escape(sentence)}</li>" for sentence in excluded)
+    listed = "".join(f"<li>{html.escape(text)}</li>" for text in merge_sources(excluded))
     return f"{tests}<h3>Left out, missing or assumed</h3><ul>{listed}</ul>"

@@ -1,11 +1,83 @@
-"""The section of residuals by coordinate: panels, and pickers of channel, test and coordinate."""
+"""Residuals of the nominal and of the identified gyro: by coordinate, with pickers of channel, test
+and coordinate, and over time on held-out tests.
+"""
 
+import html
+
+import numpy as np
+
+from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import make_choice, make_paragraph
 from pyhrg.gap.diagnose import CampaignDiagnosis
-from pyhrg.gap.report.figures.panels import ALL, Panel, compute_panels, draw_panel
-from pyhrg.gap.report.figures.views import AXES, VIEWS
-from pyhrg.gap.report.held_out import has_closing
+from pyhrg.gap.report.closing import NOT_VERIFIED
+from pyhrg.gap.report.figures.panels import ALL, Panel, compute_panels, draw_panel, find_extremes
+from pyhrg.gap.report.figures.strips import Band, Labels, Size, Strip, draw_strips
+from pyhrg.gap.report.figures.views import ANGLE, AXES, VIEWS, View, draw_view_noise
 from pyhrg.gap.report.places import sum_shares
+from pyhrg.records import Log
+
+POINTS = 400
+"""Stretches of rows of which a strip shows the lowest and the highest value."""
+BAND_BINS = 60
+"""Stretches of rows that the noise band is computed in."""
+SIZE = Size(860, 170, 1.6)
+
+
+def build_held_out(result: CampaignDiagnosis) -> str:
+    """A figure for each held-out test."""
+    figures = [
+        _draw_test(result, i)
+        for i, test in enumerate(result.tests)
+        if test.test.is_holdout and np.isfinite(result.before[i][ANGLE.channel]).any()
+    ]
+    if not figures:
+        return make_paragraph(NOT_VERIFIED)
+    return f'<div class="panels one">{"".join(figures)}</div>'
+
+
+def draw_largest(result: CampaignDiagnosis) -> str:
+    """A figure of the channel and the test with the largest share of the gap; of the output angle
+    in the last test, a held-out one if any is, where there is no gap."""
+    shares = sum_shares(result.diagnosis.where, lambda place: (place.test, place.channel))
+    last = (result.tests[-1].test.id, ANGLE.channel)
+    name, channel = max(shares, key=lambda key: shares[key], default=last)
+    i = next((i for i, test in enumerate(result.tests) if test.test.id == name), -1)
+    view = next(view for view in VIEWS if view.channel == channel)
+    if not np.isfinite(result.before[i][channel]).any():
+        return ""
+    return f'<div class="panels one">{_draw_test(result, i % len(result.tests), view)}</div>'
+
+
+def _draw_test(result: CampaignDiagnosis, i: int, view: View = ANGLE) -> str:
+    test = result.tests[i]
+    before, after = (residuals[i][view.channel] for residuals in (result.before, result.after))
+    strips = [_make_strip("nominal gyro", "c1", test.log, before, view)]
+    if has_closing(result):
+        strips.append(_make_strip("identified gyro", "c0", test.log, after, view))
+    title = f"{view.title}, record less simulation, {test.test.id}"
+    labels = Labels("Time since power-on, s", f"Residual, {view.unit}", title)
+    svg = draw_strips(strips, _compute_band(result, i, view), SIZE, labels)
+    return f"<figure><figcaption><b>{html.escape(title)}</b></figcaption>{svg}</figure>"
+
+
+def has_closing(result: CampaignDiagnosis) -> bool:
+    """Whether the identified gyro, with its terms, differs from the nominal one."""
+    return result.identified != result.nominal or bool(result.diagnosis.terms)
+
+
+def _make_strip(label: str, colour: str, log: Log, residual: Array, view: View) -> Strip:
+    rows, low, high = find_extremes(view.convert(residual, log.interval), POINTS)
+    return Strip(label, colour, log.time[rows.astype(int)], low, high, is_joined=True)
+
+
+def _compute_band(result: CampaignDiagnosis, i: int, view: View) -> Band:
+    test = result.tests[i]
+    noise = draw_view_noise(test, view, result.noise, (i,))
+    parts = np.array_split(np.arange(len(noise)), min(BAND_BINS, len(noise)))
+    half = np.array([1.96 * np.sqrt((noise[part] ** 2).mean()) for part in parts])
+    middles = np.array([test.log.time[part].mean() for part in parts])
+    return Band(middles, half, float(np.ptp(test.log.time)) / len(parts))
+
 
 LEAD = (
     "Mean residual (record less simulation) in bins of each coordinate. The grey band holds 95 % "

@@ -6,9 +6,8 @@ from pyhrg.common.pages.svg import format_interval, format_number
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, GapFigure, KnownValue
 from pyhrg.gap.report.closing import describe_closing
-from pyhrg.gap.report.mechanisms import find_nearest
 from pyhrg.gap.report.places import sum_shares
-from pyhrg.gap.report.terms import describe_class, describe_term, name_term
+from pyhrg.gap.report.terms import describe_class, describe_term, find_nearest, name_term
 from pyhrg.gap.report.words import (
     CHANNELS,
     COORDINATES,
@@ -17,7 +16,7 @@ from pyhrg.gap.report.words import (
     format_percent,
     join_words,
     parse_parameter,
-    read_told_value,
+    read_nominal_value,
 )
 
 FAMILIES = {
@@ -178,8 +177,8 @@ def _describe_known(known: KnownValue) -> str:
     low, high = (scale * end for end in known.interval_95)
     value = format_interval(scale * known.value, low, high)
     label = f"{format_effect(known.name)}: {_label(words, known.name)}"
-    told = format_number(scale * known.told)
-    return f"Within its tolerance: {label}{value} {unit}, not {told}."
+    nominal = format_number(scale * known.told)
+    return f"Within its tolerance: {label}{value} {unit}, not {nominal}."
 
 
 def _label(words: str, effect: str) -> str:
@@ -194,8 +193,8 @@ def _describe_cause(cause: Cause, result: CampaignDiagnosis) -> str:
         words, unit, scale = parse_parameter(name)
         low, high = (scale * end for end in cause.interval_95[name])
         label = _label(words, cause.effect)
-        told = scale * read_told_value(result.nominal, name)
-        instead = f", not {format_number(told)}" if told else ""
+        nominal = scale * read_nominal_value(result.nominal, name)
+        instead = f", not {format_number(nominal)}" if nominal else ""
         number = f"{format_interval(scale * value, low, high)} {unit}".rstrip()
         values.append(f"{label}{number}{instead}")
     return f"{_begin(format_effect(cause.effect))}: {'; '.join(values)}."

@@ -130,8 +130,8 @@ def parse_parameter(parameter: str) -> tuple[str, str, float]:
     return format_name(parameter), "ppm", 1e6
 
 
-def read_told_value(nominal: Device, parameter: str) -> float:
-    """What was told of a parameter of a cause, in the unit of its name."""
+def read_nominal_value(nominal: Device, parameter: str) -> float:
+    """Nominal value of a parameter of a cause, in the unit of its name."""
     if parameter in SOUND_VALUES:
         return SOUND_VALUES[parameter]
     key = next(key for key in KEYS if key.name == parameter)

@@ -25,7 +25,7 @@ DECAY_TOLERANCE = 1.3
 
 def mend_drive(log: Log, nominal: Device) -> tuple[Log, list[str]]:
     """A log of complete inputs with the drive off in the rows in which it was lost, and a sentence
-    on each interruption. What follows is then compared once the loops have settled."""
+    on each interruption. Rows after it are compared again once the loops have settled."""
     lost = find_interruptions(log, nominal)
     notes = [
         f"{log.source}: the drive was lost at time_s {log.time[first] - log.interval:g} for about "
@@ -37,8 +37,8 @@ def mend_drive(log: Log, nominal: Device) -> tuple[Log, list[str]]:
 
 def find_interruptions(log: Log, nominal: Device) -> Mask:
     """(n,) rows in which the amplitude falls below a constant set point as in a ring-down, in two
-    rows in succession at least. The pattern rests there: in a turning one, errors of the pick-offs
-    make the amplitude ripple."""
+    rows in succession at least. Only rows with a pattern at rest are searched: errors of the
+    pick-offs make the amplitude of a turning pattern ripple."""
     lost = np.zeros(len(log.time), dtype=bool)
     with np.errstate(divide="ignore", invalid="ignore"):
         dip = 1 - log.amplitude / log.amplitude_setpoint

@@ -30,6 +30,7 @@ from pyhrg.gap.soundness.resonator import (
 )
 from pyhrg.records import Log, LogError
 from pyhrg.records.campaign import INDEX, Campaign, CampaignError, Test
+from pyhrg.records.table import fold_absent_columns, merge_sources
 
 REQUIRED_KEYS = ("coriolis_factor", "decay_time_s", "frequency_Hz")
 """Nominal values without which no campaign is diagnosed."""
@@ -144,7 +145,7 @@ def describe_screening(campaign: Campaign) -> str:
         return f"a diagnosis would refuse it: {error}"
     if not exclusions:
         return "a diagnosis would use all of it"
-    sentences = "\n".join(f"  {sentence}" for sentence in exclusions)
+    sentences = "\n".join(f"  {sentence}" for sentence in merge_sources(exclusions))
     return f"a diagnosis would leave out, or take for granted:\n{sentences}"
 
 
@@ -231,18 +232,18 @@ def _screen_test(
 ) -> ScreenedTest | str:
     """The test without what contradicts itself, or a sentence why it can't be used; `turned` are
     the signs of the mounting that are reversed."""
-    notes = [f"{log.source}: {note}" for note in log.exclusions]
+    notes = _list_notes(log)
     log, signs = mend_mounting(log, turned)
     read = log
     log, mended = mend_inputs(read)
     wrong_inputs = check_attitude(log, test.kind, nominal) + check_temperature(log, nominal)
-    notes += [*signs, *mended, *(exclusion.sentence for exclusion in wrong_inputs)]
+    changes = [*signs, *mended, *(exclusion.sentence for exclusion in wrong_inputs)]
     wrong_rows = _count_changed_rows(read, log, CONTINUOUS_INPUTS)
     try:
         complete, missing, filled = complete_inputs(apply_exclusions(log, wrong_inputs), nominal)
         log, interrupted = mend_drive(complete, nominal)
     except HrgError as error:
-        return "; ".join([f"{test.id}: not used: {error}", *notes])
+        return "; ".join([f"{test.id}: not used: {error}", *notes, *changes])
     angles = check_angles(log, nominal)
     others = check_amplitude(log) + check_swapped_forces(log, nominal)
     remaining = apply_exclusions(log, [*angles, *others])
@@ -267,13 +268,19 @@ def _screen_test(
             *estimate_frequency(remaining, nominal),
         ),
         (
-            *notes,
+            *_list_notes(complete),
+            *changes,
             *filled,
             *interrupted,
             *(exclusion.sentence for exclusion in (*angles, *others, *glitches)),
         ),
         faults,
     )
+
+
+def _list_notes(log: Log) -> list[str]:
+    """A sentence on each thing that reading the log left out or missed, with its source."""
+    return [f"{log.source}: {note}" for note in fold_absent_columns(log.exclusions)]
 
 
 def _count_changed_rows(before: Log, after: Log, fields: Sequence[str]) -> int:

@@ -18,7 +18,7 @@ from pyhrg.noise.coefficients import (
     compute_allan_deviation,
 )
 from pyhrg.noise.fitting import NORMAL_QUANTILE, estimate_noise
-from pyhrg.records.table import fold_absent_columns
+from pyhrg.noise.ramp import estimate_rate_ramp
 
 SCHEMA = "hrg-allan/1"
 FILES = RESULT, TABLE, PAGE = "allan.json", "allan.csv", "report.html"
@@ -31,12 +31,14 @@ class ChannelNoise:
     bias: mean of the readings with its 95 % interval; Earth's rate and gravity are in it. The
         interval is that of a normal estimate whose standard deviation is the Allan deviation that
         the fitted noise has over the whole record.
+    ramp: change of the bias with time, which is no noise.
     """
 
     channel: Channel
     bias: Coefficient
     deviation: AllanDeviation
     noise: NoiseCoefficients
+    ramp: Coefficient
 
     @property
     def coefficients(self) -> Mapping[Term, Coefficient]:
@@ -45,17 +47,19 @@ class ChannelNoise:
         return dict(zip(self.channel.kind.terms, values, strict=True))
 
     @property
-    def rows(self) -> list[tuple[str, str, str]]:
-        """Name, value with 95 % interval, and key with unit, of the bias and the coefficients; an
-        upper bound where the record does not show a noise."""
+    def rows(self) -> list[tuple[str, str, str, str]]:
+        """Name, value with 95 % interval, unit and key of the bias, the coefficients and the ramp;
+        an upper bound where the record does not show a noise."""
         kind = self.channel.kind
-        ends = (x / kind.rate_scale for x in (self.bias.value, self.bias.low, self.bias.high))
-        rows = [("mean", format_interval(*ends), kind.rate_unit)]
+        rows = [("mean", _format(self.bias, kind.rate_scale), kind.rate_unit, "")]
         for term, c in self.coefficients.items():
-            value, low, high = (x / term.factor for x in (c.value, c.low, c.high))
-            shown = format_interval(value, low, high) if c.present else f"< {format_number(high)}"
-            rows.append((term.effect.replace("_", " "), shown, term.parameter))
-        return rows
+            shown = _format(c, term.factor)
+            if not c.present:
+                shown = f"< {format_number(c.high / term.factor)}"
+            rows.append((term.effect.replace("_", " "), shown, term.unit, term.parameter))
+        ramp = kind.ramp
+        shown = _format(self.ramp, ramp.factor)
+        return [*rows, (ramp.effect.replace("_", " "), shown, ramp.unit, ramp.parameter)]
 
 
 @dataclass(frozen=True, repr=False)
@@ -92,10 +96,8 @@ class RecordNoise:
         for each in self.channels:
             n, interval = each.deviation.n, each.channel.interval
             lines += ["", f"{each.channel.name}: {n} readings, {n * interval:.6g} s"]
-            lines += [f"  {name:<26} {value:<36} {unit}" for name, value, unit in each.rows]
-        return "\n".join(
-            [*lines, *(f"left out: {note}" for note in fold_absent_columns(self.notes))]
-        )
+            lines += [f"  {name:<26} {value:<36} {unit}" for name, value, unit, _ in each.rows]
+        return "\n".join([*lines, *(f"record: {note}" for note in self.notes)])
 
     def __repr__(self) -> str:
         return f"<RecordNoise of {self.source}: {len(self.channels)} channels>"
@@ -111,9 +113,14 @@ def _measure(channel: Channel) -> ChannelNoise:
     duration = len(channel.angle) * channel.interval
     reach = NORMAL_QUANTILE * float(compute_allan_deviation(duration, noise))
     bias = Coefficient(channel.mean, channel.mean - reach, channel.mean + reach)
-    return ChannelNoise(
-        channel, bias, estimate_allan_deviation(channel.angle, channel.interval), noise
-    )
+    deviation = estimate_allan_deviation(channel.angle, channel.interval)
+    ramp = estimate_rate_ramp(channel.angle, channel.interval, noise)
+    return ChannelNoise(channel, bias, deviation, noise, ramp)
+
+
+def _format(c: Coefficient, factor: float) -> str:
+    values = format_interval(c.value / factor, c.low / factor, c.high / factor)
+    return values.replace("\N{MINUS SIGN}", "-")
 
 
 def _tabulate(each: ChannelNoise) -> pd.DataFrame:
@@ -135,7 +142,8 @@ def _describe(each: ChannelNoise) -> dict[str, Any]:
     figures = {
         f"mean_{kind.rate_unit.replace('/', '_').replace('-', '_')}": (each.bias, kind.rate_scale)
     }
-    figures |= {term.parameter: (c, term.factor) for term, c in each.coefficients.items()}
+    terms = {**each.coefficients, kind.ramp: each.ramp}
+    figures |= {term.parameter: (c, term.factor) for term, c in terms.items()}
     return {"n": each.deviation.n, "interval_s": each.channel.interval} | {
         key: {"value": c.value / factor, "interval_95": [c.low / factor, c.high / factor]}
         for key, (c, factor) in figures.items()

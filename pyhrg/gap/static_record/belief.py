@@ -77,8 +77,8 @@ def parse_belief(values: Mapping[str, object], kind: Kind, source: str) -> Belie
         if key in values
     }
     levels = np.array([t.factor * stated.get(t.parameter, 0.0) for t in kind.terms])
-    quantum = kind.quantum.factor * stated.get(kind.quantum.parameter, 0.0) / math.sqrt(12)
-    levels[0] = math.hypot(levels[0], quantum)
+    step = kind.quantization.factor * stated.get(kind.quantization.parameter, 0.0)
+    levels[0] = math.hypot(levels[0], step / math.sqrt(12))
     if not levels.any():
         names = ", ".join(t.parameter for t in kind.terms)
         raise HrgError(f"{source}: found no noise, expected one of {names} above 0")

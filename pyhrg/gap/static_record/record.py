@@ -12,6 +12,7 @@ from pyhrg.gap.static_record.terms import ACCELEROMETER, GYRO, Kind
 from pyhrg.records import Log, read_log
 from pyhrg.records.imu import recorded
 from pyhrg.records.missing_inputs import note_missing_inputs, turns
+from pyhrg.records.table import ABSENT_COLUMN
 
 MIN_READINGS = 1024
 """Smallest number of readings of a channel; half of them are held out (chosen)."""
@@ -28,7 +29,7 @@ class Channel:
     angle: (n,) integral of the sensed quantity (angle or velocity), SI, evenly spaced, without
         gaps.
     temperature: (n,) K; None where it was not logged.
-    quantum: quantization step of the readings, SI; None where they lie on no grid.
+    quantization_step: of the readings, SI; None where they lie on no grid.
     may_drift: whether a ramp of the rate is expected, so that it is no gap.
     mean: of the sensed quantity over all readings, SI; `angle` is without it.
     """
@@ -38,7 +39,7 @@ class Channel:
     interval: float
     angle: Array
     temperature: Array | None = None
-    quantum: float | None = None
+    quantization_step: float | None = None
     may_drift: bool = False
     mean: float = 0.0
 
@@ -74,6 +75,10 @@ def read_static_record(path: Path, trusted: bool = False) -> StaticRecord:
     Raises:
         HrgError: the file can't be used or is too short, or a channel never changes.
     """
+    if path.is_dir():
+        raise HrgError(
+            f"{path}: found a folder, expected a log, such as one in a campaign's folder"
+        )
     if BENCH_COLUMN in read_unpacked(path)[:HEADER_BYTES]:
         return _take_bench_log(read_log(path))
     imu = recorded.read_imu_log(path, trusted).increments
@@ -101,18 +106,20 @@ def channel_from_increments(
     if np.ptp(increments) == 0:
         raise HrgError(f"{name}: found {increments[0]:g} in all readings, expected noise")
     mean = float(np.mean(increments))
-    quantum = find_quantization_step(increments)
+    step = find_quantization_step(increments)
     angle = np.cumsum(increments - mean)
-    return Channel(name, kind, interval, angle, temperature, quantum, mean=mean / interval)
+    return Channel(name, kind, interval, angle, temperature, step, mean=mean / interval)
 
 
 def _take_bench_log(log: Log) -> StaticRecord:
     """The output angle of a bench log less the turntable's angle, over its longest stretch without
     gaps. The pattern creeps over the gyro's bias map at Earth's rate, so a rate ramp is expected.
+    Columns that are not there are no loss, but for the table's angle.
     """
+    notes = [note for note in log.exclusions if not note.startswith(ABSENT_COLUMN)]
     if not (log.has_values("table_angle") or turns(log)):
-        notes = (*log.exclusions, note_missing_inputs("table_angle"))
-        log = replace(log, table_angle=np.zeros(len(log.time)), exclusions=notes)
+        notes.append(note_missing_inputs("table_angle"))
+        log = replace(log, table_angle=np.zeros(len(log.time)))
     stretch = max(log.stretches("gyro_angle", "table_angle"), key=lambda s: s.stop - s.start)
     angle = (log.gyro_angle - log.table_angle)[stretch]
     temperature = log.temperature[stretch]
@@ -120,7 +127,7 @@ def _take_bench_log(log: Log) -> StaticRecord:
     channel = channel_from_increments(
         *("gyro", GYRO, log.interval, np.diff(angle)), temperature[1:] if is_known else None
     )
-    return StaticRecord(log.source, (replace(channel, may_drift=True),), log.exclusions)
+    return StaticRecord(log.source, (replace(channel, may_drift=True),), tuple(notes))
 
 
 def find_quantization_step(values: Array) -> float | None:

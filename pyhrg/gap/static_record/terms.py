@@ -5,6 +5,13 @@ from dataclasses import dataclass
 
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G
 
+UNITS = {
+    **{"arcsec": "arcsec", "deg_sqrt_h": "deg/sqrt(h)", "deg_h": "deg/h", "m_s": "m/s"},
+    **{"deg_h_sqrt_h": "deg/h/sqrt(h)", "deg_h_h": "deg/h/h", "m_s_sqrt_h": "m/s/sqrt(h)"},
+    **{"micro_g": "micro-g", "micro_g_sqrt_h": "micro-g/sqrt(h)", "micro_g_h": "micro-g/h"},
+}
+"""Units of noise terms by the ends of their keys."""
+
 
 @dataclass(frozen=True)
 class Term:
@@ -13,6 +20,11 @@ class Term:
     effect: str
     parameter: str
     factor: float
+
+    @property
+    def unit(self) -> str:
+        """Unit of the parameter, which ends the key."""
+        return UNITS[self.parameter.removeprefix(f"{self.effect}_")]
 
 
 @dataclass(frozen=True)
@@ -25,7 +37,7 @@ class Kind:
         integrated readings; in the order of `pyhrg.noise.likelihood.POWERS`.
     ramp: constant change of the bias with time.
     temperature_term: change of the bias with temperature.
-    quantum: quantization step of the integrated readings.
+    quantization: step of the integrated readings.
     rate_unit, rate_scale: unit of the readings as rates, and its value in SI.
     """
 
@@ -34,14 +46,14 @@ class Kind:
     terms: tuple[Term, Term, Term, Term]
     ramp: Term
     temperature_term: Term
-    quantum: Term
+    quantization: Term
     rate_unit: str
     rate_scale: float
 
     @property
     def by_parameter(self) -> Mapping[str, Term]:
         """Terms that a file of beliefs may state, by key."""
-        return {term.parameter: term for term in (*self.terms, self.ramp, self.quantum)}
+        return {term.parameter: term for term in (*self.terms, self.ramp, self.quantization)}
 
 
 GYRO = Kind(
@@ -55,7 +67,7 @@ GYRO = Kind(
     ),
     ramp=Term("rate_ramp", "rate_ramp_deg_h_h", DEG_PER_H / HOUR),
     temperature_term=Term("bias_temperature", "bias_deg_h_per_K", DEG_PER_H),
-    quantum=Term("angle_quantisation", "quantum_arcsec", ARCSEC),
+    quantization=Term("angle_quantisation", "quantum_arcsec", ARCSEC),
     rate_unit="deg/h",
     rate_scale=DEG_PER_H,
 )
@@ -73,7 +85,7 @@ ACCELEROMETER = Kind(
     ),
     ramp=Term("acceleration_ramp", "acceleration_ramp_micro_g_h", MICRO_G / HOUR),
     temperature_term=Term("bias_temperature", "bias_micro_g_per_K", MICRO_G),
-    quantum=Term("velocity_quantisation", "quantum_m_s", 1.0),
+    quantization=Term("velocity_quantisation", "quantum_m_s", 1.0),
     rate_unit="micro-g",
     rate_scale=MICRO_G,
 )

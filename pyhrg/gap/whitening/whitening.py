@@ -14,7 +14,7 @@ from scipy.signal import lfilter
 
 from pyhrg.common.arrays import Array
 from pyhrg.gap.whitening.kalman_filter import compute_innovations
-from pyhrg.noise.flicker import compute_process_variance
+from pyhrg.noise.coefficients import compute_process_variance
 
 FLICKER_PROCESS_TIMES = tuple(10.0**e for e in (0.5, 1.5, 2.5, 3.5, 4.5))
 """Correlation times of the Gauss-Markov processes whose sum approximates flicker noise, s. Chosen:

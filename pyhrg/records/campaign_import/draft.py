@@ -2,52 +2,69 @@
 
 import os
 import re
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from datetime import datetime
 from pathlib import Path
 
-from pyhrg.common.errors import HrgError
-from pyhrg.common.reading.files import decode, read_unpacked
-from pyhrg.records.campaign import FILE_NAME
+import numpy as np
+
+from pyhrg.common.arrays import Array
 from pyhrg.records.campaign_import.column_mapping import BY_STEM
-from pyhrg.records.campaign_import.layout import SEPARATORS
-from pyhrg.records.campaign_import.units import BY_COLUMN_UNIT, RATE
+from pyhrg.records.campaign_import.sketch import Sketch, read_sketch
+from pyhrg.records.campaign_import.units import BY_COLUMN_UNIT, RATE, TURN
 from pyhrg.records.columns import LogError
 
 PATTERNS = {
     "time": r"^(t|time|timestamp|zeit|uhrzeit)$",
-    "table_angle": r"table|encoder|tisch",
+    "table_angle": r"table|^enc|tisch|stage",
     "axis_up": r"axis_up",
     "accel_x": r"^acc.*x$|^a_?x$|^f_?x$",
     "accel_y": r"^acc.*y$|^a_?y$|^f_?y$",
     "accel_z": r"^acc.*z$|^a_?z$|^f_?z$",
     "temperature": r"^temp|^t$|^t_?(case|gyro)|^case",
-    "virtual_rotation": r"virtual",
+    "virtual_rotation": r"virtual|^vr",
     "amplitude_setpoint": r"set_?point",
     "phase_offset": r"phase_?offset",
-    "drive_on": r"drive",
+    "drive_on": r"drive|^drv",
     "wave_angle": r"wave|pattern|theta|precession",
-    "quadrature_force": r"quad",
-    "amplitude_force": r"ampl.*force|damping",
-    "frequency_offset": r"freq",
-    "amplitude": r"^ampl",
+    "quadrature_force": r"quad|^fq$",
+    "amplitude_force": r"ampl.*force|damping|^fa$",
+    "frequency_offset": r"freq|^f$",
+    "amplitude": r"^amp",
     "valid": r"valid",
-    "gyro_angle": r"gyro|omega|angle|winkel|output|rate",
+    "gyro_angle": r"gyro|omega|angle|winkel|^out|rate",
 }
 """What a column's name without its unit matches, in lower case, by stem; the first one counts."""
 KINDS = {
-    **{"positions": "position", "ring_down": "ring", "virtual_rotation": "virtual"},
+    **{"positions": "position|circ", "ring_down": "ring|^rd", "virtual_rotation": "virtual|^vr"},
     **{"thermal": "therm", "amplitude": "ampl", "phase_step": "phase", "tumble": "tumbl"},
-    **{"manoeuvre": "man", "rate": "rate"},
+    **{"manoeuvre": "man", "rate": "rate", "static": ""},
 }
-"""Kinds of tests, each with a word that the name of its log may have."""
+"""Kinds of tests, each with what the name of its log may match, in lower case."""
 USUAL_UNITS = {"s": "s", "deg": "deg", "rad": "rad", "deg_s": "deg/s", "m_s2": "m/s2"} | {
     **{"degC": "degC", "per_s": "1/s", "Hz": "Hz", "": "1"}
 }
 """Unit that is written where a header names none, by the column's own unit."""
-HEAD = """\
+UNIT_NAMES = {
+    **{"C": "degC", "°C": "degC", "°": "deg", "Grad": "deg", "Grad/s": "deg/s", "°/s": "deg/s"},
+    **{"°/h": "deg/h", "dps": "deg/s", "m/s^2": "m/s2", "m/s²": "m/s2"},
+}
+"""Units as a laboratory may write them, by their names in a mapping."""
+TIME_FORMATS = ("%H:%M:%S", "%H:%M:%S.%f", "%H:%M:%S,%f")
+CONSTANTS = {"axis_up": "; 0 where the input axis is level and points east", "drive_on": ""}
+"""Quantities that are taken to be 1 where they are not logged, with what else they may be."""
+LARGEST_OFFSET = 100.0
+"""A loop frequency above this, in the log's unit, is no offset from the nominal one. Chosen."""
+AMPLITUDE_TOLERANCE = 0.2
+"""A first amplitude further than this from 1 is in another unit than the nominal amplitude."""
+HEAD = f"""\
 # A draft by `hrg campaign init`: every line that says "guessed" or "edit" is to be checked.
 # `hrg campaign import THIS_FILE --check` says what it makes of it; docs/import.md has all keys.
+# What a column may be: {", ".join(list(BY_STEM)[:8])},
+#   {", ".join(list(BY_STEM)[8:14])},
+#   {", ".join(list(BY_STEM)[14:])}.
+# Kinds of tests: {", ".join(KINDS)}.
 device = "my gyro"              # edit
 
 [site]
@@ -61,104 +78,182 @@ frequency_Hz = 7000.0           # edit
 """
 
 
-@dataclass(frozen=True)
-class Sketch:
-    """What the first lines of a log show: its separator's name, decimal comma, and header."""
-
-    separator: str
-    comma: bool
-    names: tuple[str, ...]
-
-
 def draft_mapping(files: Sequence[Path | str], folder: Path | str = ".") -> str:
     """The text of a mapping (docs/import.md) of these logs, with guesses marked; `folder` is where
-    it will lie.
+    it will lie. What several logs share stands in it once.
 
     Raises:
         LogError: a file can't be read, has no header, or no column that may be the gyro's.
-        HrgError: a file's name without its suffix can't be the name of a test, or is there twice.
     """
     paths = [Path(file) for file in files]
-    names = [path.name.partition(".")[0] for path in paths]
-    for name in names:
-        if not FILE_NAME.fullmatch(name) or names.count(name) > 1:
-            raise HrgError(f"{name}: expected files whose names are letters and digits, each once")
-    places = [Path(os.path.relpath(path, folder)).as_posix() for path in paths]
-    sketches = map(_read_sketch, paths)
-    return "\n".join([HEAD, *map(_draft_test, names, places, sketches)])
+    sketches = [read_sketch(path) for path in paths]
+    columns = [_guess_columns(sketch) for sketch in sketches]
+    for path, sketch, guessed in zip(paths, sketches, columns, strict=True):
+        if not {"gyro_angle", "wave_angle"} & guessed.keys():
+            found = ", ".join(sketch.names)
+            raise LogError(
+                f"{path}: found the columns {found}, expected one that may be the gyro's"
+            )
+    layout, shared = sketches[0].layout, _share_columns(columns)
+    parts = [HEAD, _write_table("layout", layout)]
+    parts.append(
+        "\n".join(["[columns]   # of all tests, but for what a test states", *shared.values()])
+    )
+    for name, path, sketch, guessed in zip(
+        _name_tests(paths), paths, sketches, columns, strict=True
+    ):
+        place = Path(os.path.relpath(path, folder)).as_posix()
+        lines = _draft_test(name, place, guessed, shared)
+        if sketch.layout != layout:
+            own = {**dict.fromkeys(layout, "0"), **sketch.layout}
+            lines.append(_write_table("tests.layout", own))
+        parts.append("\n".join([*lines, *_draft_columns(sketch, guessed, shared)]))
+    return "\n".join(f"{part.rstrip()}\n" for part in parts)
 
 
-def _read_sketch(path: Path) -> Sketch:
-    """Separator, decimal and header of a log, from its first lines."""
-    lines = decode(path.name, read_unpacked(path)).splitlines()
-    lines = [line for line in lines[:50] if line.strip() and not line.startswith("#")]
-    if len(lines) < 2 or not re.search("[A-Za-z]", lines[0]):
-        raise LogError(f"{path}: found no row of names above the values, expected one")
-    counts = {name: len(_split(lines[0], name)) for name in SEPARATORS if name != "space"}
-    separator = max(counts, key=lambda name: counts[name])
-    if counts[separator] == 1:
-        separator = "space"
-    comma = separator != "comma" and bool(re.search(r"\d,\d", lines[-1]))
-    return Sketch(separator, comma, tuple(_split(lines[0], separator)))
+def _name_tests(paths: Sequence[Path]) -> list[str]:
+    """Names of tests, by the logs' names; those that come again are counted."""
+    names: list[str] = []
+    for path in paths:
+        stem = Path(path.name.removesuffix(".gz")).stem
+        name = re.sub(r"[^A-Za-z0-9_-]+", "_", stem).strip("_-") or "log"
+        again = sum(
+            re.fullmatch(rf"{re.escape(name)}(_\d+)?", other) is not None for other in names
+        )
+        names.append(f"{name}_{again + 1}" if name in names else name)
+    return names
 
 
-def _split(line: str, separator: str) -> list[str]:
-    return [cell.strip().strip('"') for cell in line.split(SEPARATORS[separator])]
+def _share_columns(columns: Sequence[Mapping[str, str]]) -> dict[str, str]:
+    """Lines of a mapping for most logs, by stem: of those that differ the most frequent."""
+    shared = {}
+    for stem in BY_STEM:
+        line, count = (Counter(c[stem] for c in columns if stem in c).most_common(1) or [("", 0)])[
+            0
+        ]
+        if 2 * count >= len(columns):
+            shared[stem] = line
+    return {stem: _write_constant(stem) for stem in CONSTANTS} | shared
 
 
-def _draft_test(name: str, path: str, sketch: Sketch) -> str:
-    kind = next((kind for kind, word in KINDS.items() if word in name.lower()), "static")
-    columns = _guess_columns(sketch.names)
-    if not {"gyro_angle", "wave_angle"} & columns.keys():
-        found = ", ".join(sketch.names)
-        raise LogError(f"{path}: found the columns {found}, expected one that may be the gyro's")
-    lines = ["[[tests]]", f'id = "{name}"', f'kind = "{kind}"   # guessed: see docs/records.md']
-    lines += ['role = "fit"   # or "holdout": verifies, is never fitted', f"file = '{path}'"]
-    if "time" not in columns:
+def _draft_test(
+    name: str, path: str, guessed: Mapping[str, str], shared: Mapping[str, str]
+) -> list[str]:
+    kind = next(kind for kind, pattern in KINDS.items() if re.search(pattern, name.lower()))
+    lines = ["[[tests]]", f'id = "{name}"', f'kind = "{kind}"   # guessed']
+    lines.append('role = "fit"   # or "holdout": verifies a diagnosis; neither fitted nor benched')
+    lines.append(f"file = '{path}'")
+    if "time" not in guessed:
         lines.append("interval_s = 1.0   # edit: no column of times was found")
-    lines += ["[tests.layout]", f'separator = "{sketch.separator}"', 'comment = "#"']
-    lines += [f'decimal = "{"comma" if sketch.comma else "point"}"', "[tests.columns]"]
-    lines += columns.values()
-    lines += [
-        f"{c} = 1   # guessed: not logged" for c in ("axis_up", "drive_on") if c not in columns
-    ]
-    unused = [n for n in sketch.names if not any(f"'{n}'" in line for line in columns.values())]
-    lines += [f"# not used: {unused_name}" for unused_name in unused]
-    return "\n".join(lines) + "\n"
+    absent = [f'"{stem}"' for stem in shared if stem not in {**guessed, **CONSTANTS}]
+    return [*lines, f"absent = [{', '.join(absent)}]"] if absent else lines
 
 
-def _guess_columns(names: Sequence[str]) -> dict[str, str]:
+def _draft_columns(
+    sketch: Sketch, guessed: Mapping[str, str], shared: Mapping[str, str]
+) -> list[str]:
+    """A test's own table of columns, and the columns that are not used."""
+    constants = {stem: _write_constant(stem) for stem in CONSTANTS if stem in shared}
+    own = [line for stem, line in {**constants, **guessed}.items() if line != shared.get(stem)]
+    unused = [n for n in sketch.names if not any(f"'{n}'" in line for line in guessed.values())]
+    lines = ["[tests.columns]", *own] if own else []
+    return [*lines, *(f"# not used: {name}" for name in unused)]
+
+
+def _write_constant(stem: str) -> str:
+    return f"{stem} = 1   # guessed: not logged{CONSTANTS[stem]}"
+
+
+def _write_table(name: str, values: Mapping[str, str]) -> str:
+    return "\n".join([f"[{name}]", *(f"{key} = {value}" for key, value in values.items())])
+
+
+def _guess_columns(sketch: Sketch) -> dict[str, str]:
     """Lines of a mapping by stem; a column takes the first stem that fits and is free."""
     lines: dict[str, str] = {}
-    for name in names:
-        guesses = {} if "'" in name else dict(_guess_column(name))
+    for place, name in enumerate(sketch.names):
+        guesses = {} if "'" in name else dict(_guess_column(sketch, place))
         stem = next((stem for stem in guesses if stem not in lines), "")
         if stem:
             lines[stem] = guesses[stem]
+    return _align_origins(lines)
+
+
+def _align_origins(lines: dict[str, str]) -> dict[str, str]:
+    """Lines whose output angle counts from zero where the table's does: one that is logged as an
+    angle, since sums of rates begin at zero."""
+    gyro = lines.get("gyro_angle", "")
+    if "from_zero" in lines.get("table_angle", "") and gyro and "integrate" not in gyro:
+        lines["gyro_angle"] = gyro.replace(" }", ", from_zero = true }")
     return lines
 
 
-def _guess_column(name: str) -> Iterator[tuple[str, str]]:
+def _guess_column(sketch: Sketch, place: int) -> Iterator[tuple[str, str]]:
     """Stem and line of a mapping for each quantity that a column may be."""
+    name, stated = sketch.names[place], sketch.units[place]
     for stem, pattern in PATTERNS.items():
         column = BY_STEM[stem]
         units = BY_COLUMN_UNIT[column.unit] | (RATE if column.unit == "deg" else {})
-        bare, unit = _find_unit(name, units)
-        if re.search(pattern, bare):
-            guess = "" if unit or not column.unit else "   # unit guessed"
-            unit = unit or USUAL_UNITS[column.unit]
-            parts = [f"column = '{name}'"] + ([f'unit = "{unit}"'] if column.unit else [])
-            parts += ['integrate = "means"'] if column.unit == "deg" and unit in RATE else []
-            yield stem, f"{stem} = {{ {', '.join(parts)} }}{guess}"
+        names = {unit: unit for unit in units}
+        names |= {name: unit for name, unit in UNIT_NAMES.items() if unit in units}
+        bare, unit = _find_unit(name, stated, names)
+        if not re.search(pattern, bare):
+            continue
+        guess = "" if unit or not column.unit else "   # unit guessed"
+        unit = unit or USUAL_UNITS[column.unit]
+        parts = [f"column = '{name}'"]
+        clock = _find_time_format(sketch.rows[0][place]) if stem == "time" else ""
+        if clock:
+            parts, guess = [*parts, f'format = "{clock}"'], "   # guessed"
+        elif column.unit:
+            parts.append(f'unit = "{unit}"')
+        if column.unit == "deg" and unit in RATE:
+            parts.append('integrate = "means"')
+        turn = 0.0 if unit in RATE else TURN / units[unit].factor
+        conversion, reason = _guess_conversion(stem, sketch.read_numbers(place), turn)
+        parts += [conversion] if conversion else []
+        yield stem, f"{stem} = {{ {', '.join(parts)} }}{reason or guess}"
 
 
-def _find_unit(name: str, units: Iterable[str]) -> tuple[str, str]:
-    """A column's name in lower case without its unit, and the unit, in brackets or at the end."""
+def _guess_conversion(stem: str, values: Array, turn: float) -> tuple[str, str]:
+    """What turns an absolute frequency, an amplitude in another unit, a clock that runs or an
+    encoder that jumps by a turn into a campaign's, and a remark on it; empty where none is needed.
+    """
+    if len(values) < 2:
+        return "", ""
+    first, steps = float(values[0]), np.abs(np.diff(values))
+    if stem == "frequency_offset" and first > LARGEST_OFFSET:
+        return f"offset = -{first:.0f}", "   # guessed: less nominal.frequency_Hz"
+    is_amplitude = stem in ("amplitude", "amplitude_setpoint") and first > 0
+    if is_amplitude and abs(first - 1) > AMPLITUDE_TOLERANCE:
+        return f"scale = {1 / first:.6g}", "   # guessed: 1 at the nominal amplitude"
+    if stem == "table_angle" and turn and np.max(steps) > turn / 2:
+        return f"wraps_every = {turn:.10g}, from_zero = true", "   # guessed: it jumps by a turn"
+    if stem in ("time", "table_angle") and abs(first) > 2 * steps[0]:
+        return "from_zero = true", ""
+    return "", ""
+
+
+def _find_time_format(text: str) -> str:
+    """Format of a clock's text, as in a mapping; empty for a number or an unknown one."""
+    for form in TIME_FORMATS:
+        try:
+            datetime.strptime(text, form)
+        except ValueError:
+            continue
+        return form
+    return "iso" if re.match(r"\d{4}-\d\d-\d\d", text) else ""
+
+
+def _find_unit(name: str, stated: str, units: Mapping[str, str]) -> tuple[str, str]:
+    """A column's name in lower case without its unit, and the unit in a mapping's words: in
+    brackets, at the end, or stated elsewhere."""
     parts = re.fullmatch(r"(.*?)\s*[\[(](.*)[\])]\s*", name)
     if parts and parts[2] in units:
-        return parts[1].lower(), parts[2]
+        return parts[1].lower(), units[parts[2]]
     for unit in sorted(units, key=len, reverse=True):
-        for suffix in ("_" + unit.replace("/", "_per_"), "_" + unit.replace("/", "_")):
+        for suffix in ("_" + unit.replace("/", "_per_"), "_" + unit.replace("/", "_"), "_" + unit):
             if name.lower().endswith(suffix.lower()):
-                return name.lower().removesuffix(suffix.lower()), unit
-    return name.lower(), ""
+                return name.lower().removesuffix(suffix.lower()), units[unit]
+    stated = stated.strip("[]()")
+    return name.lower(), units.get(stated, "")

@@ -8,6 +8,8 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.files import replace_folder
+from pyhrg.common.site import Site
+from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test, write_campaign
 from pyhrg.records.campaign_import.conversion import convert_column, read_times
 from pyhrg.records.campaign_import.joining import join_rows
@@ -16,6 +18,7 @@ from pyhrg.records.campaign_import.mapping import CampaignMapping, TestMapping, 
 from pyhrg.records.campaign_import.preview import ImportedTest, describe_tests
 from pyhrg.records.columns import COLUMNS
 from pyhrg.records.log import Log, build_log
+from pyhrg.records.missing_inputs import TURNING_RATE
 from pyhrg.records.table import Table, check_range
 from pyhrg.records.timing import drop_repeated_rows, find_interval
 
@@ -88,15 +91,42 @@ def _import_test(test: TestMapping, mapping: CampaignMapping) -> ImportedTest:
     for field, column_mapping in test.columns.items():
         if field != "time":
             columns[field] = convert_column(column_mapping, cells, time, interval)
+    origin = _align_origin(test, columns, mapping.site)
     for column in COLUMNS:
         values = (columns[column.field] - column.offset) / column.factor
         check_range(cells.source, column, cells.rows, values)
-    table = Table(cells.source, cells.rows, columns, _describe_missing(test))
+    table = Table(cells.source, cells.rows, columns, (*_describe_missing(test), *origin))
     read = build_log(table, interval, mapping.site.latitude)
     if test.rows is not None:
         read = join_rows(read, test.rows)
         return ImportedTest(test, replace(read, exclusions=()), read)
     return ImportedTest(test, Log(cells.source, interval, exclusions=(), **columns), read)
+
+
+def _align_origin(test: TestMapping, columns: dict[str, Array], site: Site) -> list[str]:
+    """Let an output angle that counts from zero begin with what table and Earth turned until the
+    first row. Of one that begins elsewhere than a table that counts from zero, return a sentence:
+    a diagnosis reads their difference as a step.
+    """
+    gyro, table = (test.columns.get(field) for field in ("gyro_angle", "table_angle"))
+    angle, inputs = columns["gyro_angle"], np.nan_to_num(columns["table_angle"])
+    known = np.flatnonzero(np.isfinite(angle + columns["time"]))
+    if not gyro or not len(known):
+        return []
+    first = known[0]
+    time = float(columns["time"][first])
+    up = float(np.nan_to_num(columns["axis_up"][first]))
+    turn = float(inputs[first] + site.compute_earth_rate(up) * time)
+    if gyro.from_zero:
+        columns["gyro_angle"] = angle + turn
+        return []
+    beside = float(angle[first]) - turn
+    if not (table and table.from_zero and abs(beside) > TURNING_RATE * time):
+        return []
+    return [
+        f"gyro_angle begins {beside / DEG:.6g} deg beside table_angle, which counts from zero: let "
+        "both count from zero, or neither"
+    ]
 
 
 def _describe_missing(test: TestMapping) -> tuple[str, ...]:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.common.errors import quote
-from pyhrg.common.reading.csv_rows import parse_csv
+from pyhrg.common.reading.documents import parse_csv
 from pyhrg.common.toml_table import TomlTable
 from pyhrg.records.columns import LogError
 from pyhrg.records.table import read_text

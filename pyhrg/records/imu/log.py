@@ -1,16 +1,118 @@
-"""The log of an IMU, and the numbers of its text files."""
+"""The log of an IMU: increments, which are what an IMU gives the navigator, columns of a log as a
+table (CSV, Parquet), and the numbers of its text files.
+"""
 
 import io
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import describe_briefly, quote
 from pyhrg.common.reading.limits import LARGEST_NUMBER
+from pyhrg.common.units import DEG, STANDARD_GRAVITY
 from pyhrg.records.columns import LogError
-from pyhrg.records.imu.increments import Increments
+
+AXES = ("x", "y", "z")
+"""Body axes: forward, right, down."""
+TIME = "time_s"
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """Three columns of one quantity: SI value = factor * value.
+
+    integral: whether a value is the integral over the interval (an increment) or the mean over it.
+    """
+
+    name: str
+    unit: str
+    factor: float
+    integral: bool
+
+    def column(self, axis: str) -> str:
+        """Name of an axis's column in the file."""
+        return "_".join(filter(None, (self.name, axis, self.unit)))
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Names of the columns of x, y and z."""
+        return tuple(self.column(axis) for axis in AXES)
+
+
+ROTATION = Quantity("rotation", "rad", 1.0, True)
+VELOCITY = Quantity("velocity", "m_s", 1.0, True)
+GYROS = (
+    ROTATION,
+    Quantity("rotation", "deg", DEG, True),
+    Quantity("gyro", "rad_s", 1.0, False),
+    Quantity("gyro", "deg_s", DEG, False),
+)
+ACCELEROMETERS = (
+    VELOCITY,
+    Quantity("accelerometer", "m_s2", 1.0, False),
+    Quantity("accelerometer", "g", STANDARD_GRAVITY, False),
+)
+"""`time_s` is the end of each row's interval; increments (`rotation_x_rad`, `velocity_x_m_s`) or
+means over the interval (`gyro_x_deg_s`, `accelerometer_x_m_s2`), x forward, y right, z down."""
+
+
+def choose_quantity(source: str, header: Sequence[str], among: Sequence[Quantity]) -> Quantity:
+    """The quantity whose three columns a header has."""
+    for name in header:
+        if header.count(name) > 1:
+            raise LogError(f"{source}: column {name}: found more than once, expected once")
+    present = [q for q in among if any(column in header for column in q.columns)]
+    if len(present) > 1:
+        names = " and ".join(q.column("x") for q in present)
+        raise LogError(f"{source}: found columns {names}, expected one kind of them")
+    missing = [column for q in present for column in q.columns if column not in header]
+    if not present or missing:
+        kinds = " or ".join(q.column("x") for q in among)
+        raise LogError(
+            f"{source}: found no column {missing[0] if missing else kinds}, expected it "
+            f"among {', '.join(header)}"
+        )
+    return present[0]
+
+
+@dataclass(frozen=True)
+class Increments:
+    """Sums over equal intervals, body axes (forward, right, down).
+
+    interval: s; rotation: (n, 3) integral of `omega_ib_b`, rad; velocity: (n, 3) integral of
+    the specific force `f_b`, m/s; start: time at the beginning of the first interval, s.
+    """
+
+    interval: float
+    rotation: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+    start: float = 0.0
+
+    def __len__(self) -> int:
+        return len(self.rotation)
+
+    @property
+    def duration(self) -> float:
+        """Duration of all intervals, s."""
+        return len(self) * self.interval
+
+    @property
+    def bounds(self) -> NDArray[np.float64]:
+        """(n + 1,) times at which intervals begin and end, s."""
+        return np.asarray(self.start + self.interval * np.arange(len(self) + 1.0))
+
+    def between(self, first: int, last: int) -> "Increments":
+        """The increments of intervals `first` to `last - 1`."""
+        return Increments(
+            self.interval,
+            self.rotation[first:last],
+            self.velocity[first:last],
+            self.start + first * self.interval,
+        )
+
 
 MIN_ROWS = 10
 """Smallest number of rows of a log. Chosen: fewer show neither an interval nor a unit."""

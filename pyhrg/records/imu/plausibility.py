@@ -10,7 +10,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import ARCSEC, DEG, MICRO_G, STANDARD_GRAVITY
 from pyhrg.records.columns import LogError
-from pyhrg.records.imu.columns import Quantity
+from pyhrg.records.imu.log import Quantity
 
 BLOCK_LENGTH = 0.1
 """Length of the blocks over which readings are averaged, s. Chosen: no vehicle turns far in it."""

@@ -5,9 +5,7 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.records.columns import LogError
-from pyhrg.records.imu.columns import Quantity
-from pyhrg.records.imu.increments import Increments
-from pyhrg.records.imu.log import RecordedImu, make_field_error, parse_numbers
+from pyhrg.records.imu.log import Increments, Quantity, RecordedImu, make_field_error, parse_numbers
 from pyhrg.records.imu.plausibility import Readings, check_plausibility
 
 COMMENT = "%"

@@ -5,19 +5,17 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.common.reading.parquet import parse_parquet
 from pyhrg.records.columns import LogError
-from pyhrg.records.imu.columns import (
+from pyhrg.records.imu.log import (
     ACCELEROMETERS,
     GYROS,
-    TIME,
-    Quantity,
-    choose_quantity,
-)
-from pyhrg.records.imu.increments import Increments
-from pyhrg.records.imu.log import (
     MIN_ROWS,
+    TIME,
+    Increments,
+    Quantity,
     RecordedImu,
     check_finite,
     check_lengths,
+    choose_quantity,
     make_field_error,
     parse_numbers,
 )
@@ -66,7 +64,8 @@ def _choose_quantities(source: str, header: list[str]) -> tuple[Quantity, Quanti
     if not header:
         raise LogError(f"{source}: found an empty file, expected a header and values")
     if TIME not in header:
-        raise LogError(f"{source}: found no column {TIME} among {', '.join(header)}, expected it")
+        found = f"found no column {TIME} among {', '.join(header)}, expected it"
+        raise LogError(f"{source}: {found}; `hrg campaign init` reads a bench log of other columns")
     return choose_quantity(source, header, GYROS), choose_quantity(source, header, ACCELEROMETERS)
 
 

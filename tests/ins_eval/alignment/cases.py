@@ -12,7 +12,7 @@ from ins_eval.imu.sensor_error_model import AxisConstants, SensorErrorModel
 from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 LATITUDE = 40 * DEG
 POSITION = np.array([LATITUDE, 0.3, 100.0])

@@ -13,7 +13,7 @@ from ins_eval.imu.specification import load_imu
 from ins_eval.trajectories.catalogue import load_trajectory
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 from tests.ins_eval.alignment.cases import (
     LATITUDE,
     MAT_NB,

@@ -8,7 +8,7 @@ from ins_eval.common import earth
 from ins_eval.common.rotation import body_rate_from_euler, euler_from_mat, mat_from_euler
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG, DEG_PER_H
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 from tests.ins_eval.cases import at_rest
 
 LATITUDE = 40 * DEG

@@ -5,7 +5,7 @@ import pytest
 
 from ins_eval.alignment.bias_instability import correlation_times, mean_variance
 from pyhrg.common.arrays import Array
-from pyhrg.noise.flicker import compute_process_variance, half_integral_response
+from pyhrg.noise.coefficients import compute_process_variance, half_integral_response
 
 DURATION, INTERVAL = 300.0, 0.25
 COUNT = round(DURATION / INTERVAL)

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from ins_eval.alignment.align import align
-from ins_eval.alignment.corruption import check_samples
+from ins_eval.alignment.record_checks import check_samples
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.specification import load_imu
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 from tests.ins_eval.alignment.cases import (
     POSITION,
     add_sensor_errors,

@@ -12,7 +12,7 @@ from ins_eval.alignment.result import Alignment
 from ins_eval.common import earth
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 from tests.ins_eval.alignment.cases import (
     GRAVITY,
     LATITUDE,

@@ -14,7 +14,7 @@ from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG, DEG_PER_H
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 from tests.ins_eval import theory
 
 LATITUDE, BIAS = 40 * DEG, 0.01 * DEG_PER_H

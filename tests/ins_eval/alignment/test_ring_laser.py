@@ -9,20 +9,19 @@ import pytest
 from scipy.stats import chi2
 
 from ins_eval.alignment.align import align
-from ins_eval.alignment.alignment_figure import plot_alignment
 from ins_eval.alignment.analytic import level_and_gyrocompass
 from ins_eval.alignment.inertial_frame import fit_inertial_frame
 from ins_eval.alignment.measured_noise import MeasuredNoise, measure_noise
 from ins_eval.common.rotation import euler_from_mat
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import State
-from ins_eval.imu import recorded
+from ins_eval.flights import sources
+from ins_eval.flights.align_report import plot_alignment
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
-from pyhrg.records.imu.increments import Increments
-from pyhrg.records.imu.log import RecordedImu
+from pyhrg.records.imu.log import Increments, RecordedImu
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 STATED = SensorErrors(
@@ -40,7 +39,7 @@ def log() -> RecordedImu:
     path = Path(os.environ.get("HRG_REAL", REAL)) / "lasergyro.imu.gz"
     if not path.is_file():
         pytest.skip(f"{path} is not there; HRG_REAL says where recorded data are")
-    return recorded.read_record(path)
+    return sources.read_record(path)
 
 
 @pytest.fixture(scope="module")

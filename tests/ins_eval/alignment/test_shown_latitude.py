@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from ins_eval.alignment.align import align
-from ins_eval.alignment.shown_latitude import check_latitude
+from ins_eval.alignment.record_checks import check_latitude
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.specification import load_imu
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG, DEG_PER_H
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 from tests.ins_eval.alignment.cases import (
     LATITUDE,
     POSITION,

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from ins_eval.parking import parking, report
-from ins_eval.parking.case import CASES
+from ins_eval.parking.gyro import CASES
 from ins_eval.parking.mission import Mission
 from ins_eval.parking.study import Comparison
 from ins_eval.parking.triad import RECORDS

@@ -6,8 +6,8 @@ import pytest
 
 from ins_eval.study import run_study, study_file
 from ins_eval.study.run import block
+from ins_eval.study.run.block import identify_study
 from ins_eval.study.run.folder import claim_folder
-from ins_eval.study.run.identity import identify_study
 from pyhrg.common.cli import main
 from tests.ins_eval.study import cases
 from tests.ins_eval.study.run.cheap import CHEAP, conclude, made

@@ -7,9 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from ins_eval.study.run.block import pack_block
+from ins_eval.study.run.block import identify_study, pack_block
 from ins_eval.study.run.folder import claim_folder
-from ins_eval.study.run.identity import identify_study
 from ins_eval.study.validation.validate import plan_validation
 from pyhrg.common.cli import main
 from tests.ins_eval.study import made_up

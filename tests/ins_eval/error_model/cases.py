@@ -8,13 +8,13 @@ from scipy.spatial.transform import Rotation
 
 from ins_eval.common import earth
 from ins_eval.common.state import State, track_error
-from ins_eval.error_model.budget.adjoint import Weights
+from ins_eval.error_model.dynamics import COUNT
+from ins_eval.error_model.error_budget import Weights
 from ins_eval.error_model.linear_model import LinearModel
-from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import Clamped, Height
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.trajectory import Trajectory
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 EVERY = 60.0
 """Time between rows that are compared, s."""

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from ins_eval.error_model.dynamics import COUNT
 from ins_eval.error_model.linear_model import AXES, LinearModel
-from ins_eval.error_model.states import COUNT
 from pyhrg.common.arrays import Array
 
 

@@ -9,15 +9,15 @@ from ins_eval.alignment.analytic import level_and_gyrocompass
 from ins_eval.common import earth
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import Track, track_error
-from ins_eval.error_model.aligning import model_alignment
-from ins_eval.error_model.budget.adjoint import compute_weights
+from ins_eval.error_model.dynamics import ATTITUDE, COUNT
+from ins_eval.error_model.error_budget import compute_weights
 from ins_eval.error_model.linear_model import (
     join_models,
     linearize,
+    model_alignment,
     propagate_covariance,
 )
 from ins_eval.error_model.motion import sample_motion
-from ins_eval.error_model.states import ATTITUDE, COUNT
 from ins_eval.navigation.height import Clamped
 from ins_eval.trajectories.catalogue import load_trajectory
 from tests.ins_eval.error_model.cases import propagate, sum_coefficient_weights

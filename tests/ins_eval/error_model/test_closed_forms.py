@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 
 from ins_eval.common import earth
-from ins_eval.error_model.dynamics import dynamics
+from ins_eval.error_model.dynamics import COUNT, dynamics
 from ins_eval.error_model.linear_model import linearize
 from ins_eval.error_model.motion import Motion
-from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import Clamped, Free
 from pyhrg.common.units import DEG_PER_H
 from tests.ins_eval.error_model.cases import propagate

@@ -5,6 +5,7 @@ import pytest
 from scipy.stats import chi2
 
 from ins_eval.common.sensor_errors import SensorErrors
+from ins_eval.error_model.dynamics import COUNT
 from ins_eval.error_model.effects import (
     BIASES,
     accelerometer_bias,
@@ -12,7 +13,6 @@ from ins_eval.error_model.effects import (
 )
 from ins_eval.error_model.linear_model import linearize, propagate_covariance
 from ins_eval.error_model.motion import sample_motion
-from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import Clamped, Free
 from tests.ins_eval.error_model.cases import Flight, weave
 from tests.ins_eval.error_model.ensemble import draw_ensemble

@@ -7,7 +7,7 @@ import pytest
 from scipy.linalg import expm
 
 from ins_eval.common.sensor_errors import SensorErrors
-from ins_eval.error_model.dynamics import dynamics, sensor_inputs
+from ins_eval.error_model.dynamics import COUNT, dynamics, sensor_inputs
 from ins_eval.error_model.effects import (
     BIASES,
     Effect,
@@ -24,7 +24,6 @@ from ins_eval.error_model.linear_model import (
     propagate_covariance,
 )
 from ins_eval.error_model.motion import Motion, sample_motion
-from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
 from ins_eval.trajectories.catalogue import load_trajectory
 from tests.ins_eval.error_model.cases import Flight, propagate, weave

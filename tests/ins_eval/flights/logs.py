@@ -7,7 +7,7 @@ import pytest
 
 from ins_eval.imu import specification
 from ins_eval.trajectories import catalogue
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 from tests.ins_eval.imu.logs import INCREMENTS, frame, saved
 
 REAL = Path(__file__).parents[4] / "shared" / "real"

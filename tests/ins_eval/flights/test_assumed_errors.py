@@ -16,7 +16,7 @@ from ins_eval.imu.imu import Imu
 from ins_eval.imu.sensor_error_model import AxisConstants, SensorErrorModel
 from ins_eval.imu.stated_gyros import StatedGyros
 from ins_eval.trajectories import catalogue
-from pyhrg.noise.flicker import compute_process_variance
+from pyhrg.noise.coefficients import compute_process_variance
 
 
 def allan_variance(correlation_time: float, time: float) -> float:

@@ -11,9 +11,8 @@ from scipy.stats import chi2
 from ins_eval.common.state import position_error
 from ins_eval.flights import linear
 from ins_eval.flights.assumed_errors import AssumedErrors, assume_errors
-from ins_eval.flights.flight import Runs, fly_runs
+from ins_eval.flights.flight import Runs, Truth, fly_runs, sample_truth
 from ins_eval.flights.plan import Plan, count_row_increments
-from ins_eval.flights.truth import Truth, sample_truth
 from ins_eval.imu import specification
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.stated_gyros import StatedGyros

@@ -8,10 +8,10 @@ from scipy.stats import chi2
 
 from ins_eval.flights import linear
 from ins_eval.flights.assumed_errors import assume_errors
+from ins_eval.flights.flight import sample_truth
 from ins_eval.flights.log_flight import navigate_log
 from ins_eval.flights.plan import Plan
 from ins_eval.flights.report import Flight
-from ins_eval.flights.truth import sample_truth
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.specification import load_imu
 from ins_eval.trajectories.catalogue import load_trajectory

@@ -7,14 +7,13 @@ import pytest
 from scipy.stats import chi2
 
 from benchmarks.nees import TURNTABLE, compute_nees, without_pick_off_map
-from ins_eval.error_model.budget.decomposition import decompose_errors, sensor_error
+from ins_eval.error_model.decomposition import decompose_errors, sensor_error
 from ins_eval.error_model.effects import pick_off_map
 from ins_eval.error_model.motion import sample_motion, step_mean
 from ins_eval.flights.assumed_errors import assume_errors
-from ins_eval.flights.flight import Runs, fly_runs
+from ins_eval.flights.flight import Runs, Truth, fly_runs, sample_truth
 from ins_eval.flights.linear import compute_error_budget
 from ins_eval.flights.plan import Plan
-from ins_eval.flights.truth import Truth, sample_truth
 from ins_eval.imu import gyros
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.specification import load_imu

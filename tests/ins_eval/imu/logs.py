@@ -5,8 +5,15 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pyhrg.records.imu.columns import ACCELEROMETERS, GYROS, ROTATION, TIME, VELOCITY, Quantity
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import (
+    ACCELEROMETERS,
+    GYROS,
+    ROTATION,
+    TIME,
+    VELOCITY,
+    Increments,
+    Quantity,
+)
 from tests.ins_eval.cases import at_rest
 
 INCREMENTS = ROTATION, VELOCITY

@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 from ins_eval.imu import specification
-from pyhrg.records.imu import columns
+from pyhrg.records.imu import log
 
 TEXT = (Path(__file__).parents[3] / "docs" / "imus.md").read_text()
 NAMED = set(re.findall(r"`([^`\n]+)`", TEXT))
@@ -16,8 +16,8 @@ def test_every_key_is_documented() -> None:
 
 
 def test_every_column_and_ready_imu_is_documented() -> None:
-    quantities = columns.GYROS + columns.ACCELEROMETERS
-    assert {quantity.column("x") for quantity in quantities} | {columns.TIME} <= NAMED
+    quantities = log.GYROS + log.ACCELEROMETERS
+    assert {quantity.column("x") for quantity in quantities} | {log.TIME} <= NAMED
     assert set(specification.list_imus()) <= NAMED
 
 

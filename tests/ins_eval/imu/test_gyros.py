@@ -19,7 +19,7 @@ from pyhrg.common.units import DEG_PER_H, STANDARD_GRAVITY
 from pyhrg.device.device import Device
 from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 from pyhrg.theory import closed_forms as theory
 
 QUIET = replace(TYPICAL, angle_random_walk=0.0, angle_white_noise=0.0, power_on_scatter=0.0)

@@ -13,7 +13,7 @@ from ins_eval.imu.specification import list_imus, load_imu
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G, STANDARD_GRAVITY
 from pyhrg.fmu import GyroFmu
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 from tests.ins_eval.imu.logs import resting
 
 TRUTH = resting(10.0)

@@ -8,13 +8,12 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from ins_eval.imu import recorded
+from ins_eval.flights import sources
 from ins_eval.imu.specification import load_imu
 from ins_eval.trajectories.catalogue import list_trajectories, load_trajectory
 from pyhrg.common.units import DEG, STANDARD_GRAVITY
 from pyhrg.records.columns import LogError
-from pyhrg.records.imu.columns import ACCELEROMETERS, GYROS, ROTATION, VELOCITY, Quantity
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import ACCELEROMETERS, GYROS, ROTATION, VELOCITY, Increments, Quantity
 from pyhrg.records.imu.plausibility import Readings, check_plausibility
 from tests.ins_eval.imu.logs import (
     FORCE_G,
@@ -71,8 +70,8 @@ MIXED_UP = [
 def test_a_mix_up_is_named(tmp_path: Path, change: Change, message: str, latitude: float) -> None:
     path = saved(change(frame(resting(latitude=latitude))), tmp_path)
     with pytest.raises(LogError, match=rf"log\.csv: column .*{message}"):
-        recorded.read_record(path)
-    recorded.read_record(path, trusted=True)
+        sources.read_record(path)
+    sources.read_record(path, trusted=True)
 
 
 def test_at_10_hz_two_mix_ups_look_alike_and_both_are_named(tmp_path: Path) -> None:
@@ -80,7 +79,7 @@ def test_at_10_hz_two_mix_ups_look_alike_and_both_are_named(tmp_path: Path) -> N
     sums = [values.reshape(-1, 10, 3).sum(axis=1) for values in (slow.rotation, slow.velocity)]
     table = scaled(FORCE, 0.1)(frame(Increments(0.1, *sums)))
     with pytest.raises(LogError, match="are increments given where rates are meant"):
-        recorded.read_record(saved(table, tmp_path))
+        sources.read_record(saved(table, tmp_path))
 
 
 def motion(rate: Motion, force: Motion, seconds: float = 120.0) -> Increments:

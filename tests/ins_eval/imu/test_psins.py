@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from ins_eval.common import earth
-from ins_eval.imu import recorded
+from ins_eval.flights import sources
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import ARCSEC, DEG
 
@@ -39,7 +39,7 @@ def write(folder: Path, text: str) -> Path:
 
 
 def test_counts_become_forward_right_down(tmp_path: Path) -> None:
-    log = recorded.read_record(write(tmp_path, HEADER + ROWS))
+    log = sources.read_record(write(tmp_path, HEADER + ROWS))
     first = log.increments.between(0, 1)
     np.testing.assert_allclose(first.rotation, [[0.4 * ARCSEC, 0.1 * ARCSEC, -0.9 * ARCSEC]])
     np.testing.assert_allclose(first.velocity, 9.8e-6 * np.array([[1000.0, 400.0, -1800.0]]))
@@ -47,7 +47,7 @@ def test_counts_become_forward_right_down(tmp_path: Path) -> None:
 
 
 def test_yaw_is_turned_into_heading(tmp_path: Path) -> None:
-    log = recorded.read_record(write(tmp_path, HEADER + ROWS))
+    log = sources.read_record(write(tmp_path, HEADER + ROWS))
     assert log.position == pytest.approx([34.246048 * DEG, 108.909664 * DEG, 380.0])
     assert log.attitude == pytest.approx([2 * DEG, 1 * DEG, 90.6 * DEG])
 
@@ -64,7 +64,7 @@ def test_yaw_is_turned_into_heading(tmp_path: Path) -> None:
 )
 def test_a_wrong_row_is_named(tmp_path: Path, wrong: str, message: str) -> None:
     with pytest.raises(HrgError, match=message):
-        recorded.read_record(write(tmp_path, HEADER + ROWS + wrong))
+        sources.read_record(write(tmp_path, HEADER + ROWS + wrong))
 
 
 @pytest.mark.parametrize(
@@ -78,31 +78,31 @@ def test_a_wrong_row_is_named(tmp_path: Path, wrong: str, message: str) -> None:
 )
 def test_a_wrong_header_is_named(tmp_path: Path, old: str, new: str, message: str) -> None:
     with pytest.raises(HrgError, match=message):
-        recorded.read_record(write(tmp_path, HEADER.replace(old, new) + ROWS))
+        sources.read_record(write(tmp_path, HEADER.replace(old, new) + ROWS))
 
 
 def test_a_z_axis_that_points_down_is_named(tmp_path: Path) -> None:
     """One g along z, the wrong way round: 1e4 counts of 1e-6 g s in 10 ms; 300 in the header."""
     header = HEADER.replace("300.0", "1.0")
-    recorded.read_record(write(tmp_path, header + "0 0 0 0 0 10000\n" * 20))
+    sources.read_record(write(tmp_path, header + "0 0 0 0 0 10000\n" * 20))
     path = write(tmp_path, header + "0 0 0 0 0 -10000\n" * 20)
     with pytest.raises(HrgError, match=r"column a_x .*is z down where up is meant"):
-        recorded.read_record(path)
-    assert recorded.read_record(path, trusted=True).increments.velocity[0, 2] > 0
+        sources.read_record(path)
+    assert sources.read_record(path, trusted=True).increments.velocity[0, 2] > 0
 
 
 def test_too_few_rows_and_a_cut_file_are_named(tmp_path: Path) -> None:
     with pytest.raises(HrgError, match="found 1 rows of values, expected at least 10"):
-        recorded.read_record(write(tmp_path, HEADER + "1 2 3 4 5 6\n"))
+        sources.read_record(write(tmp_path, HEADER + "1 2 3 4 5 6\n"))
     cut = tmp_path / "cut.imu.gz"
     cut.write_bytes(gzip.compress((HEADER + ROWS).encode())[:-20])
     with pytest.raises(HrgError, match=r"cut\.imu\.gz: found what is no whole gzipped data"):
-        recorded.read_record(cut)
+        sources.read_record(cut)
 
 
 def test_the_ring_laser_feels_gravity_and_earth(ring_laser: Path) -> None:
     """Gravity to 0.1 % and Earth's rate to 5 % over the whole record, by norm and sign."""
-    log = recorded.read_record(ring_laser)
+    log = sources.read_record(ring_laser)
     assert log.position is not None
     latitude, _, height = log.position
     force = log.increments.velocity.sum(axis=0) / log.increments.duration

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from ins_eval.imu.sensor_error_model import AxisConstants, SensorErrorModel, quantize
-from pyhrg.noise.flicker import draw_flicker, half_integral_response
+from pyhrg.noise.coefficients import draw_flicker, half_integral_response
 
 INTERVAL = 0.01
 ONES = np.ones((10, 3))

@@ -6,10 +6,9 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from ins_eval.imu import recorded
+from ins_eval.flights import sources
 from pyhrg.common.errors import HrgError
-from pyhrg.records.imu.columns import ACCELEROMETERS, GYROS, Quantity
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import ACCELEROMETERS, GYROS, Increments, Quantity
 from tests.ins_eval.imu.logs import INCREMENTS, frame, resting, saved
 
 RANDOM = Increments(
@@ -20,7 +19,7 @@ RANDOM = Increments(
 @pytest.mark.parametrize("name", ["log.csv", "log.csv.gz", "log.parquet"])
 def test_increments_are_read_to_the_bit(tmp_path: Path, name: str) -> None:
     path = saved(frame(RANDOM, *INCREMENTS), tmp_path, name)
-    back = recorded.read_record(path).increments
+    back = sources.read_record(path).increments
     np.testing.assert_array_equal(back.rotation, RANDOM.rotation)
     np.testing.assert_array_equal(back.velocity, RANDOM.velocity)
     assert back.interval == pytest.approx(RANDOM.interval, rel=1e-12)
@@ -33,7 +32,7 @@ def test_every_kind_of_column_gives_the_same_increments(
     tmp_path: Path, gyros: Quantity, forces: Quantity
 ) -> None:
     truth = resting(40.0)
-    log = recorded.read_record(saved(frame(truth, gyros, forces), tmp_path))
+    log = sources.read_record(saved(frame(truth, gyros, forces), tmp_path))
     np.testing.assert_allclose(log.increments.rotation, truth.rotation, rtol=1e-12)
     np.testing.assert_allclose(log.increments.velocity, truth.velocity, rtol=1e-12)
     assert (log.position, log.attitude) == (None, None)
@@ -41,8 +40,8 @@ def test_every_kind_of_column_gives_the_same_increments(
 
 def test_other_columns_are_ignored_and_order_is_free(tmp_path: Path) -> None:
     table = frame(resting()).assign(state="good")
-    plain = recorded.read_record(saved(table, tmp_path)).increments
-    turned = recorded.read_record(
+    plain = sources.read_record(saved(table, tmp_path)).increments
+    turned = sources.read_record(
         saved(table[table.columns[::-1]], tmp_path, "turned.csv")
     ).increments
     np.testing.assert_array_equal(turned.rotation, plain.rotation)
@@ -86,7 +85,7 @@ def test_what_is_wrong_is_named(tmp_path: Path, table: pd.DataFrame, message: st
     path = tmp_path / "log.csv"
     path.write_text(table.to_csv(index=False).replace('"', ""))
     with pytest.raises(HrgError, match=message):
-        recorded.read_record(path)
+        sources.read_record(path)
 
 
 @pytest.mark.parametrize(
@@ -103,7 +102,7 @@ def test_a_file_that_is_none_is_refused(tmp_path: Path, data: bytes, message: st
     path = tmp_path / "log"
     path.write_bytes(data)
     with pytest.raises(HrgError, match=message):
-        recorded.read_record(path)
+        sources.read_record(path)
 
 
 def test_a_parquet_file_is_held_to_the_same(tmp_path: Path) -> None:
@@ -112,12 +111,12 @@ def test_a_parquet_file_is_held_to_the_same(tmp_path: Path) -> None:
     table.loc[7, GYRO_Y] = np.nan
     table.to_parquet(path)
     with pytest.raises(HrgError, match="row 8, gyro_y_rad_s: found nan, expected a finite number"):
-        recorded.read_record(path)
+        sources.read_record(path)
     with_cell(7, GYRO_Y, "x").astype({GYRO_Y: str}).to_parquet(path)
     with pytest.raises(HrgError, match=r"column gyro_y_rad_s: found .*, expected numbers"):
-        recorded.read_record(path)
+        sources.read_record(path)
 
 
 def test_a_missing_file_is_named(tmp_path: Path) -> None:
     with pytest.raises(HrgError, match=r"none\.csv: can't be read: No such file"):
-        recorded.read_record(tmp_path / "none.csv")
+        sources.read_record(tmp_path / "none.csv")

@@ -12,7 +12,7 @@ from ins_eval.mission_model.alignment_at_rest import (
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import StudyMission
 from pyhrg.common.units import DEG_PER_H, MICRO_G
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 RATE = DEG_PER_H * np.array([[0.1, -0.07, 0.05]])
 FORCE = MICRO_G * np.array([[20.0, -30.0, 10.0]])

@@ -3,12 +3,10 @@
 import numpy as np
 import pytest
 
-from ins_eval.mission_model.gyro_map import TERMS
-from ins_eval.mission_model.map_worth import compute_map_worth
+from ins_eval.mission_model.gyro_map import TERMS, start_maps
 from ins_eval.mission_model.mission_weights import compute_mission_weights
 from ins_eval.mission_model.missions import plan_mission
-from ins_eval.mission_model.position_errors import compute_map_errors
-from ins_eval.mission_model.turned_maps import start_maps
+from ins_eval.mission_model.position_errors import compute_map_errors, compute_map_worth
 
 DRAWS, ANGLE = 4000, 0.7
 

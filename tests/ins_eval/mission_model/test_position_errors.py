@@ -7,8 +7,11 @@ import pytest
 
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import StudyMission
-from ins_eval.mission_model.position_errors import compute_position_errors, draw_noise_errors
-from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.position_errors import (
+    TriadBlock,
+    compute_position_errors,
+    draw_noise_errors,
+)
 from ins_eval.study.cosimulated import compare_errors, cosimulate, sample_truth
 from ins_eval.study.gyros.drawn_triad import DrawnTriad
 from pyhrg.fmu import GyroFmu

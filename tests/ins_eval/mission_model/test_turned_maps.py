@@ -2,8 +2,13 @@
 
 import numpy as np
 
-from ins_eval.mission_model.gyro_map import TERMS, evaluate_terms
-from ins_eval.mission_model.turned_maps import start_maps, turn_weights, undo_start
+from ins_eval.mission_model.gyro_map import (
+    TERMS,
+    evaluate_terms,
+    start_maps,
+    turn_weights,
+    undo_start,
+)
 
 RANDOM = np.random.default_rng(1)
 MAPS = RANDOM.normal(size=(5, 2 * TERMS, 3))

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ins_eval.mission_model.missions import STILL, WARM_UP
-from ins_eval.mission_model.warming import (
+from ins_eval.mission_model.signals import (
     compute_case_warming_rate,
     compute_case_warmth,
     compute_resonator_warming_rate,

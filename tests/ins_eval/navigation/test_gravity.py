@@ -9,9 +9,8 @@ import pytest
 from ins_eval.common import earth
 from ins_eval.common.state import State, position_error
 from ins_eval.flights import linear
-from ins_eval.flights.flight import fly_runs
+from ins_eval.flights.flight import fly_runs, sample_truth
 from ins_eval.flights.plan import Plan
-from ins_eval.flights.truth import sample_truth
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.specification import load_imu
 from ins_eval.navigation.height import Clamped

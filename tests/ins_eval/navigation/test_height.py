@@ -9,7 +9,7 @@ from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.errors import HrgError
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 from tests.ins_eval import theory
 from tests.ins_eval.cases import at_rest
 

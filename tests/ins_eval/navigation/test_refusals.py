@@ -10,7 +10,7 @@ from ins_eval.common.state import State
 from ins_eval.navigation.height import Clamped, Free
 from ins_eval.navigation.strapdown import check_rotation, navigate
 from pyhrg.common.errors import HrgError
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 from tests.ins_eval.cases import at_rest
 
 START = State(0.5, 0.0, 0.0, np.zeros(3), np.eye(3))

@@ -8,7 +8,7 @@ from ins_eval.navigation.coefficients import SAMPLES_PER_STEP
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.trajectory import Trajectory
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 
 SECONDS = 60
 FINE = 2000

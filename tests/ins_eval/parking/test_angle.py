@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from ins_eval.parking.angle import REACH, find_flattest_extreme, find_flattest_zero
+from ins_eval.parking.gyro import REACH, find_flattest_extreme, find_flattest_zero
 from pyhrg.common.units import DEG, DEG_PER_H
 
 AXIS = 11.0 * DEG

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from ins_eval.mission_model.missions import STILL
-from ins_eval.parking.case import CASES, Known, Start
-from ins_eval.parking.gyro import measure_maps
+from ins_eval.parking.gyro import CASES, Known, Start, measure_maps
 from ins_eval.parking.mission import INTERVAL
 from ins_eval.parking.study import Comparison, compare, compare_with_first_case
 from pyhrg.bench.bench import Bench
@@ -15,7 +14,7 @@ from pyhrg.bench.bias.position.full_circumference import SHORTEST
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import Increments
 from pyhrg.theory import closed_forms as theory
 from tests.ins_eval.cases import short_mission
 

@@ -9,19 +9,19 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from ins_eval.mission_model.gyro_map import turn_weights
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import plan_mission
 from ins_eval.mission_model.position_errors import compute_position_errors
-from ins_eval.mission_model.turned_maps import turn_weights
 from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.position.diagnosis import read_diagnosed_gyro
-from ins_eval.position.gyro import measure_gyro
 from ins_eval.position.position import PositionRequest, compute_mission_gaps
-from ins_eval.position.residual_bound import bound_residual_error
 from ins_eval.position.triad_errors import (
     ALIGNMENT_PART,
+    bound_residual_error,
     compute_error_parts,
     draw_power_on_angles,
+    measure_gyro,
 )
 from ins_eval.study.gyros.true_maps import read_flight_coefficients
 from ins_eval.study.scores.resampling import Estimate

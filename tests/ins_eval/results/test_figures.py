@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from ins_eval.results import flights, map_grid
+from ins_eval.results import flights, map_figure
 from ins_eval.results.growth_figure import draw_growth
 from ins_eval.results.map_figure import draw_map
 from ins_eval.results.png import save_png
@@ -33,7 +33,7 @@ def test_no_line_jumps_across_the_dateline() -> None:
 def test_unwrapped_longitudes_are_continuous_and_near(near: float) -> None:
     around = (np.arange(-4.0, 5.0) + near + 180) % 360 - 180
     expected = near + np.arange(-4.0, 5.0)
-    np.testing.assert_allclose(map_grid.unwrap_deg(around, near), expected)
+    np.testing.assert_allclose(map_figure.unwrap_deg(around, near), expected)
 
 
 def test_map_is_true_to_length_at_its_middle() -> None:
@@ -46,7 +46,7 @@ def test_scale_bar_is_as_long_as_it_says() -> None:
     axes = figure.axes[0]
     (bar,) = (patch for patch in axes.patches if patch.get_height() == pytest.approx(0.012))
     (text,) = (t.get_text() for t in axes.texts)
-    _, east = map_grid.find_metres_per_degree(45.0)
+    _, east = map_figure.find_metres_per_degree(45.0)
     assert text.endswith(" km")
     assert bar.get_width() * east == pytest.approx(1000 * float(text.removesuffix(" km")), rel=1e-3)
 
@@ -55,7 +55,7 @@ def test_scale_bar_is_as_long_as_it_says() -> None:
     ("limit", "length"), [(1.0, 1.0), (1.99, 1.0), (4999.0, 2000.0), (5000.0, 5000.0), (0.3, 0.2)]
 )
 def test_round_lengths(limit: float, length: float) -> None:
-    assert map_grid.find_round_length(limit) == pytest.approx(length)
+    assert map_figure.find_round_length(limit) == pytest.approx(length)
 
 
 def test_without_truth_only_the_path() -> None:
@@ -67,7 +67,9 @@ def test_vehicle_that_stays_can_be_drawn() -> None:
     still.position[:] = still.position[0]
     still.velocity[:] = 0.0
     figure = draw_map(flights.compare_with_truth([still], still))
-    assert np.ptp(figure.axes[0].get_ylim()) * 111_000 == pytest.approx(map_grid.SMALLEST, rel=0.01)
+    assert np.ptp(figure.axes[0].get_ylim()) * 111_000 == pytest.approx(
+        map_figure.SMALLEST, rel=0.01
+    )
 
 
 def test_growth_is_drawn_with_the_sigma_around_zero() -> None:

@@ -9,7 +9,7 @@ import pytest
 import xarray as xr
 from pyarrow import csv
 
-from ins_eval.results import tables
+from ins_eval.results import flights
 from ins_eval.results.quantities import ALL, BY_COLUMN
 from tests.ins_eval.results.cases import ROWS, dataset
 
@@ -29,13 +29,13 @@ def assert_same(table: pd.DataFrame, data: xr.Dataset) -> None:
 
 
 def test_csv_round_trip(data: xr.Dataset, tmp_path: Path) -> None:
-    tables.write_csv(data, tmp_path / "flights.csv")
+    flights.write_csv(data, tmp_path / "flights.csv")
     assert_same(csv.read_csv(tmp_path / "flights.csv").to_pandas(), data)
 
 
 def test_parquet_round_trip_with_units_in_each_field(data: xr.Dataset, tmp_path: Path) -> None:
     path = tmp_path / "flights.parquet"
-    tables.write_parquet(data, path)
+    flights.write_parquet(data, path)
     assert_same(pd.read_parquet(path), data)
     for field in pq.read_schema(path):
         assert field.metadata[b"units"].decode() == BY_COLUMN[field.name].unit
@@ -43,22 +43,22 @@ def test_parquet_round_trip_with_units_in_each_field(data: xr.Dataset, tmp_path:
 
 def test_netcdf_round_trip(data: xr.Dataset, tmp_path: Path) -> None:
     path = tmp_path / "flights.nc"
-    tables.write_netcdf(data, path)
+    flights.write_netcdf(data, path)
     with xr.open_dataset(path, engine="scipy", decode_times=False) as read:
         xr.testing.assert_identical(read.load(), data)
 
 
 def test_columns_name_their_units() -> None:
-    names = tables.tabulate(dataset()).columns
+    names = flights.tabulate(dataset()).columns
     for name in ("time_s", "north_error_m", "heading_error_deg", "velocity_east_m_s", "run"):
         assert name in names
 
 
 def test_same_flights_same_bytes(data: xr.Dataset, tmp_path: Path) -> None:
     for write, name in (
-        (tables.write_csv, "a.csv"),
-        (tables.write_parquet, "a.parquet"),
-        (tables.write_netcdf, "a.nc"),
+        (flights.write_csv, "a.csv"),
+        (flights.write_parquet, "a.parquet"),
+        (flights.write_netcdf, "a.nc"),
     ):
         write(data, tmp_path / name)
         first = (tmp_path / name).read_bytes()

@@ -5,9 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ins_eval.mission_model.gyro_map import TERMS
-from ins_eval.mission_model.triad_block import TriadBlock
-from ins_eval.mission_model.turned_maps import undo_start
+from ins_eval.mission_model.gyro_map import TERMS, undo_start
+from ins_eval.mission_model.position_errors import TriadBlock
 from ins_eval.study.conditions import CONDITIONS, NOISY_DRIVES, ConditionSample
 from ins_eval.study.gyros.drawn_triad import (
     DrawnTriad,

@@ -10,7 +10,7 @@ import pandas as pd
 import pytest
 from numpy.typing import NDArray
 
-from ins_eval.study import agreement
+from ins_eval.study import conclusion
 from ins_eval.study.conclusion import FILES, write_conclusion
 from ins_eval.study.experiment import (
     NOISELESS,
@@ -170,14 +170,14 @@ def test_agreement_is_of_the_sample_without_noise(
             error = select_errors(arrays, method, number)
             sample = np.where(np.array(chosen)[:, None, None], 1.01, np.nan)
             flown[f"{method}/{number}/{flights}"] = sample * (error.error - error.noise)
-    found = agreement.score_agreement(study, flown)
+    found = conclusion.score_agreement(study, flown)
     assert {(s.calibration, s.mission_class) for s in found} == {
         (method, name) for method in METHODS for name in ("all", "car", "static-table")
     }
     for s in found:
         assert (s.value, s.low, s.high) == pytest.approx((1 / 101,) * 3)
         assert (s.score, s.n, s.verdict) == (key, 6, "holds")
-    assert agreement.score_agreement(STUDY, arrays) == []
+    assert conclusion.score_agreement(STUDY, arrays) == []
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ import pytest
 
 from ins_eval.study import study_file
 from ins_eval.study.experiment import DEFAULT_SETTINGS, make_distribution
-from ins_eval.study.settings import SETTING_TABLES
+from ins_eval.study.study_file import SETTING_TABLES
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG_PER_H, HOUR, MICRO_G
 from tests.ins_eval.study import cases

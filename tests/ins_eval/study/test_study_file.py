@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from ins_eval.study import study_file
-from ins_eval.study.run.identity import identify_study
+from ins_eval.study.run.block import identify_study
 from ins_eval.study.specification import TEST, TRAIN, compute_fewest_judged
 from ins_eval.trajectories import catalogue
 from pyhrg.common.errors import HrgError

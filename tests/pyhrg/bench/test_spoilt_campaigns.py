@@ -14,6 +14,7 @@ import pytest
 from pyhrg.bench.bias.position import fixed_position, full_circumference
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.procedure import Procedure
+from pyhrg.bench.source import open_records
 from pyhrg.common.errors import HrgError
 from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
@@ -130,6 +131,14 @@ def test_an_exclusion_is_stated_and_figures_stay_right(
         if math.isfinite(finding.si_low):
             assert finding.si_low <= expected.si_value <= finding.si_high, finding.name
         assert finding.si_value == pytest.approx(expected.si_value, rel=0.2, abs=1e-9), finding.name
+
+
+def test_inputs_that_are_taken_as_at_rest_are_said_once(intact: Path, tmp_path: Path) -> None:
+    spoil = drop_columns("phase_offset_rad", "temperature_degC")
+    records = open_records(spoil_log(intact, tmp_path, FIXED, spoil), [FIXED])
+    assert FIXED.evaluate(records.get_records(FIXED)).exclusions == (
+        "fixed_2.csv.gz: phase_offset_rad, temperature_degC: missing, taken as on a gyro at rest",
+    )
 
 
 REFUSED = {

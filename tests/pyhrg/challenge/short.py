@@ -5,9 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyhrg.bench.programme import Programme
+from pyhrg.bench.programme import Course, Programme, make_course
 from pyhrg.challenge import case
-from pyhrg.challenge.campaigns.course import Course, make_course
 from pyhrg.challenge.campaigns.plans import Plan
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_SQRT_H, HZ
 from pyhrg.device.device import Device

@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pyhrg import run_test
+from pyhrg import import_campaign, run_test
 from pyhrg.common.cli import main
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG
@@ -135,15 +135,95 @@ def test_a_draft_of_guesses_is_accepted(tmp_path: Path, capsys: pytest.CaptureFi
     logs = [str(tmp_path / name) for name in ("still.csv", "rate_1.csv")]
     assert main(["campaign", "init", *logs, "--out", str(out)]) == 0
     assert f"hrg campaign import {out} --check" in capsys.readouterr().out
-    still, rate = tomllib.loads(out.read_text())["tests"]
-    assert still["layout"] == {"separator": "semicolon", "decimal": "comma", "comment": "#"}
-    assert still["columns"]["wave_angle"] == {"column": "Theta (mrad)", "unit": "mrad"}
-    assert still["columns"]["temperature"] == {"column": "T", "unit": "degC"}
+    draft = tomllib.loads(out.read_text())
+    _, rate = draft["tests"]
+    assert draft["layout"] == {"separator": "semicolon", "decimal": "comma", "comment": "#"}
+    assert draft["columns"]["wave_angle"] == {"column": "Theta (mrad)", "unit": "mrad"}
+    assert draft["columns"]["temperature"] == {"column": "T", "unit": "degC"}
     assert (rate["kind"], rate["columns"]["gyro_angle"]["integrate"]) == ("rate", "means")
     assert "# not used: remark" in out.read_text()
     assert run(out, "--check") == 0
     assert main(["campaign", "init", *logs, "--out", str(out)]) == 2
     assert "found a file, expected none" in capsys.readouterr().err
+
+
+def test_a_draft_of_another_laboratorys_logs_needs_no_edit(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Names, units, marks and file names of a laboratory; a clock that runs, an encoder that jumps
+    by a turn, volts, the loop's frequency itself; one log lacks most columns."""
+    t = np.arange(1, 200)
+    turned = 5 * (t + 0.003 * t)
+    frame = pd.DataFrame({"t_ms": 51_000 + 1000 * t, "enc_deg": (300 + 5 * t) % 360, "T_C": 25})
+    frame["out_arcsec"], frame["theta_mrad"] = 3600 * turned, -0.277 * np.radians(turned) * 1e3
+    frame["amp_V"], frame["Fa_1/h"], frame["f_Hz"] = 1.25, 8.0, 7000.1
+    for name, part in (("rate+5 1", frame), ("rate-5", frame), ("rate+5.2", frame.iloc[:, [0, 3]])):
+        text = "% turntable 3\nsecond line\n" + part.to_csv(sep=";", index=False)
+        (tmp_path / f"{name}.csv").write_text(text)
+    out = tmp_path / "mapping.toml"
+    assert (
+        main(["campaign", "init", *map(str, sorted(tmp_path.glob("*.csv"))), "--out", str(out)])
+        == 0
+    )
+    draft = tomllib.loads(out.read_text())
+    assert [test["id"] for test in draft["tests"]] == ["rate_5_1", "rate_5_2", "rate-5"]
+    assert "absent" in draft["tests"][1]
+    assert "not used" not in out.read_text().partition("[layout]")[2]
+    imported = import_campaign(out).campaign
+    whole, short = (test.log for test in imported.tests[:2])
+    assert whole.time[0] == 1.0
+    assert whole.table_angle / DEG == pytest.approx(5 * (t - 1))
+    earth = imported.site.compute_earth_rate(1.0) / DEG
+    assert whole.gyro_angle / DEG == pytest.approx(turned - turned[0] + earth)
+    assert whole.wave_angle == pytest.approx(-0.277 * np.radians(turned))
+    assert whole.temperature[0] == 298.15
+    assert whole.amplitude[0] == 1.0
+    assert whole.amplitude_force[0] == pytest.approx(8 / 3600)
+    assert whole.frequency_offset[0] == pytest.approx(0.1 * 2 * np.pi)
+    assert not short.has_values("table_angle")
+
+
+@pytest.mark.parametrize("gyro", ["", ", from_zero = true"])
+def test_origins_that_contradict_each_other_are_said(
+    mapping: Path, capsys: pytest.CaptureFixture[str], gyro: str
+) -> None:
+    """A log that begins while the table turns: a table from zero beside an output that is not."""
+    t = 0.5 * np.arange(1, 5)
+    turned = 5 * t + 100
+    frame = pd.DataFrame({"t": t, "table": turned, "out": turned + 7, "pattern": -0.277 * turned})
+    frame.to_csv(mapping.parent / "table.csv", index=False)
+    head = re.sub(r"\[layout\].*", "", block("toml"), flags=re.DOTALL)
+    columns = f"""
+[columns]
+axis_up = 1
+time = {{ column = "t", unit = "s" }}
+table_angle = {{ column = "table", unit = "deg", from_zero = true }}
+gyro_angle = {{ column = "out", unit = "deg"{gyro} }}
+wave_angle = {{ column = "pattern", unit = "deg" }}
+[[tests]]
+id = "rate"
+kind = "rate"
+role = "fit"
+file = "table.csv"
+"""
+    mapping.write_text(head + columns)
+    log = import_campaign(mapping).campaign.tests[0].log
+    assert run(mapping, "--check") == 0
+    said = "gyro_angle begins 109.499 deg beside table_angle" in capsys.readouterr().out
+    assert said == (not gyro)
+    if gyro:
+        earth = EARTH_RATE * np.sin(39.9 * DEG)
+        assert log.gyro_angle[0] - log.table_angle[0] == pytest.approx(0.5 * earth)
+
+
+def test_the_documented_example_is_drafted(mapping: Path) -> None:
+    """A clock's times, a row of units below the names, a decimal comma."""
+    out = mapping.parent / "draft.toml"
+    assert main(["campaign", "init", str(mapping.parent / "table.csv"), "--out", str(out)]) == 0
+    drafted, stated = (import_campaign(path).campaign.tests[0].log for path in (out, mapping))
+    for field in ("time", "temperature", "gyro_angle", "wave_angle", "axis_up", "drive_on"):
+        np.testing.assert_array_equal(getattr(drafted, field), getattr(stated, field), field)
+    assert drafted.table_angle == pytest.approx(stated.table_angle)
 
 
 def test_a_log_without_a_header_is_not_drafted(

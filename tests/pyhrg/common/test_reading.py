@@ -12,11 +12,11 @@ import pandas as pd
 import pytest
 
 from pyhrg.common.errors import LONGEST_MESSAGE, HrgError, fold_line, quote
-from pyhrg.common.reading import archives, csv_rows, documents, files, limits, parquet
+from pyhrg.common.reading import archives, documents, files, limits, parquet
 
 
 def read_csv(path: Path) -> object:
-    return list(csv_rows.parse_csv(path, files.decode(path, path.read_bytes())))
+    return list(documents.parse_csv(path, files.decode(path, path.read_bytes())))
 
 
 def read_xml(path: Path) -> object:
@@ -132,7 +132,7 @@ def test_right_content_is_read(tmp_path: Path) -> None:
     path = tmp_path / "file"
     path.write_text(json.dumps({"a": 1}))
     assert documents.read_json(path) == {"a": 1}
-    assert list(csv_rows.parse_csv("file", 'a,"b\nc"\n\n1,2\n')) == [
+    assert list(documents.parse_csv("file", 'a,"b\nc"\n\n1,2\n')) == [
         (2, ["a", "b\nc"]),
         (4, ["1", "2"]),
     ]

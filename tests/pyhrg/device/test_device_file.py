@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from pyhrg.common.errors import HrgError
-from pyhrg.common.keys import Key
 from pyhrg.common.site import Site
+from pyhrg.common.toml_table import Key
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.device import device_file
 from pyhrg.device.declarations import read_declarations

@@ -14,7 +14,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import Gyro, GyroError, GyroFmu, record_together
 from pyhrg.fmu import together as module
-from pyhrg.fmu.lanes import Lanes
+from pyhrg.fmu.together import Lanes
 
 FAULTS = (
     {"drive.authority": 2e-4, "resonator.material.dampingAnisotropy": 1e-4},

@@ -10,6 +10,7 @@ from pyhrg.fmu import GyroFmu
 from pyhrg.noise.coefficients import NoiseCoefficients, NoiseError
 from pyhrg.noise.fitting import compute_critical_ratio, estimate_noise, fit_coefficients
 from pyhrg.noise.likelihood import compute_misfit, compute_spectrum
+from pyhrg.noise.ramp import estimate_rate_ramp
 from tests.driving import drive
 from tests.pyhrg.noises import Mixture, noisy_angle
 
@@ -20,14 +21,18 @@ SAMPLES = 1000
 
 @pytest.mark.parametrize("mixture", [(1, 1, 0, 0, 0), (0, 1, 1, 0, 0), (1, 0.3, 0, 0.02, 1e-2)])
 def test_intervals_hold_what_was_put_in(mixture: Mixture) -> None:
-    """In 95 % of 30 records less 3 sigma of the binomial (12 %), each of those that are there.
+    """In 95 % of 30 records less 3 sigma of the binomial (12 %), each of those that are there, and
+    the rate ramp, which may be zero.
 
     The seed is fixed; `benchmarks/intervals/noise.py` has the thousands.
     """
     there = [(name, x) for name, x in zip(NAMES, mixture, strict=False) if x]
-    held = dict.fromkeys((name for name, _ in there), 0)
+    held = dict.fromkeys((*(name for name, _ in there), "rate_ramp"), 0)
     for seed in range(REPEATS):
-        found = estimate_noise(noisy_angle(SAMPLES, mixture, np.random.default_rng([1, seed])), 1.0)
+        angle = noisy_angle(SAMPLES, mixture, np.random.default_rng([1, seed]))
+        found = estimate_noise(angle, 1.0)
+        ramp = estimate_rate_ramp(angle, 1.0, found)
+        held["rate_ramp"] += ramp.low <= mixture[4] <= ramp.high
         for name, truth in there:
             coefficient = getattr(found, name)
             held[name] += coefficient.low <= truth <= coefficient.high

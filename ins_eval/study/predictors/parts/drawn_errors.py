@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.stats import qmc
 
-from ins_eval.mission_model.turned_maps import turn_weights
+from ins_eval.mission_model.gyro_map import turn_weights
 from ins_eval.study.predictors.prediction import SampledPrediction
 from pyhrg.common.arrays import Array
 

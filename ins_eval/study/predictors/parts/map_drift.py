@@ -11,9 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import nnls
 
-from ins_eval.mission_model.gyro_map import TERMS
+from ins_eval.mission_model.gyro_map import TERMS, undo_start
 from ins_eval.mission_model.signals import COUNT
-from ins_eval.mission_model.turned_maps import undo_start
 from ins_eval.study.predictors.bench_figures import BenchFigures
 from pyhrg.common.arrays import Array
 

@@ -9,8 +9,14 @@ import numpy as np
 import pandas as pd
 
 from ins_eval.study.report.distances import NMI
-from ins_eval.study.report.figures.filters import make_filter_attributes, name_calibration
-from ins_eval.study.report.figures.parts import Row, format_interval, make_legend, make_table
+from ins_eval.study.report.figures.parts import (
+    Row,
+    format_interval,
+    make_filter_attributes,
+    make_legend,
+    make_table,
+    name_calibration,
+)
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
 from pyhrg.common.arrays import Array

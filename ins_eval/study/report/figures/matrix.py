@@ -5,8 +5,13 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ins_eval.study.report.figures.filters import make_filter_attributes, name_calibration
-from ins_eval.study.report.figures.parts import Row, format_interval, make_table
+from ins_eval.study.report.figures.parts import (
+    Row,
+    format_interval,
+    make_filter_attributes,
+    make_table,
+    name_calibration,
+)
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
 from ins_eval.study.tables.score import (

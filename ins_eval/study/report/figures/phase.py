@@ -5,8 +5,13 @@ from typing import Any
 
 import numpy as np
 
-from ins_eval.study.report.figures.filters import choose_colour, make_class_legend
-from ins_eval.study.report.figures.parts import Panel, draw_axes, join_panels
+from ins_eval.study.report.figures.parts import (
+    Panel,
+    choose_colour,
+    draw_axes,
+    join_panels,
+    make_class_legend,
+)
 from ins_eval.study.study_data import PHASE_KEY, StudyData
 from pyhrg.common.pages import svg
 from pyhrg.common.pages.markup import make_paragraph

@@ -53,8 +53,8 @@ def evaluate(campaign: Campaign) -> Outcome:
         findings=result.findings(),
         verdict=(
             f"Bias stability {result.stability / DEG_PER_H:.2g} deg/h at a fixed position: the "
-            f"pattern moved over {swept / DEG:.2g} of the 90 deg of a period of the bias map, and "
-            "the figure holds for that part alone."
+            f"pattern moved over {swept / DEG:.2g} deg, and the figure holds there alone. A period "
+            "of the bias map has 90 deg."
         ),
         tables=(result.table(),),
         exclusions=list_exclusions(tests),

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS, BiasTest
-from pyhrg.bench.bias.position import position_runs
+from pyhrg.bench.bias.position import positions
 from pyhrg.bench.bias.position.positions import HARMONICS, Plan, choose_plan, select_visible
 from pyhrg.bench.estimation.harmonics import MEAN, TILT, Fit, fit, make_columns, name_terms
 from pyhrg.bench.figures import finish_axes
@@ -150,7 +150,7 @@ def measure_mean_bias(campaign: Campaign) -> float:
 
 def read_runs(campaign: Campaign) -> list[Points]:
     """Data points of each power-on, equally many at each position."""
-    return position_runs.read_complete_runs(require_tests(campaign, KIND), campaign.site, SETTLE)[0]
+    return positions.read_complete_runs(require_tests(campaign, KIND), campaign.site, SETTLE)[0]
 
 
 def fit_map(
@@ -177,10 +177,10 @@ def fit_map(
 def evaluate(campaign: Campaign) -> Outcome:
     """Bias, stability, repeatability, variances within and between positions, bias map."""
     tests = require_tests(campaign, KIND)
-    runs, exclusions = position_runs.read_complete_runs(tests, campaign.site, SETTLE)
+    runs, exclusions = positions.read_complete_runs(tests, campaign.site, SETTLE)
     test, fitted = BiasTest(runs), fit_map(runs)
-    within = position_runs.estimate_within("within positions", runs)
-    between = position_runs.estimate_between("between positions", runs, fitted.fits)
+    within = positions.estimate_within("within positions", runs)
+    between = positions.estimate_between("between positions", runs, fitted.fits)
     maps = [fitted.finding(name) for name in fitted.names]
     if 4 in fitted.harmonics:
         cosine, sine = name_terms(4)
@@ -190,7 +190,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         findings=(*test.findings(), within, between, *maps),
         verdict=_describe_verdict(test, within.si_value, between.si_value),
         tables=(test.table(),),
-        warnings=(*fitted.refused, *filter(None, [position_runs.describe_leakage(runs[0])])),
+        warnings=(*fitted.refused, *filter(None, [positions.describe_leakage(runs[0])])),
         exclusions=(*list_exclusions(tests), *exclusions),
         draw=lambda figure: draw(figure, runs, fitted),
         values={"bias_map": {name: fitted.value(name) for name in fitted.names}},

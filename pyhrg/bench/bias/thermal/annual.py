@@ -16,12 +16,12 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.circumference import fit_circumference
 from pyhrg.bench.bias.thermal_programme import SPIN, SPIN_RATE, add_positions
 from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
-from pyhrg.bench.estimation.spread import estimate_spread
+from pyhrg.bench.estimation.sizes import estimate_spread
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_pooled_deviation
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import WARM_UP
-from pyhrg.bench.readings.spins import compute_scale_factor_error, find_spins, pair_spins
+from pyhrg.bench.readings.turns import compute_scale_factor_error, find_spins, pair_spins
 from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG_PER_H, PPM, YEAR

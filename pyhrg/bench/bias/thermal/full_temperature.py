@@ -19,7 +19,7 @@ from pyhrg.bench.bias.thermal.thermal_fit import (
 )
 from pyhrg.bench.bias.thermal.thermal_scale_factor import estimate_scale_factor
 from pyhrg.bench.bias.thermal_programme import make_programme
-from pyhrg.bench.estimation.spread import estimate_spread
+from pyhrg.bench.estimation.sizes import estimate_spread
 from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import Finding, Outcome, estimate_pooled_deviation
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests

@@ -6,11 +6,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.bias.thermal.thermometer import Thermometer
+from pyhrg.bench.bias.thermal.thermal_fit import Thermometer
 from pyhrg.bench.estimation.harmonics import MEAN, fit
-from pyhrg.bench.estimation.spread import estimate_spread
+from pyhrg.bench.estimation.sizes import estimate_spread
 from pyhrg.bench.outcome import BenchError, Finding, estimate_pooled_deviation
-from pyhrg.bench.readings import spins
+from pyhrg.bench.readings import turns
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ZERO_CELSIUS
 from pyhrg.records import Log
@@ -52,10 +52,10 @@ def _read_pairs(
     log: Log, meter: Thermometer, vertical_rate: float
 ) -> tuple[Array, Array, NDArray[np.complex128]]:
     """Temperature of the resonator, K, scale-factor error of each pair of spins, its harmonic."""
-    pairs = spins.pair_spins(spins.find_spins(log, vertical_rate), log.source)
+    pairs = turns.pair_spins(turns.find_spins(log, vertical_rate), log.source)
     warm = [np.mean(meter.temperature[a.first : b.last + 1]) for a, b in pairs]
-    errors = [spins.compute_scale_factor_error(pair) for pair in pairs]
-    harmonics = [spins.compute_scale_factor_harmonic(pair) for pair in pairs]
+    errors = [turns.compute_scale_factor_error(pair) for pair in pairs]
+    harmonics = [turns.compute_scale_factor_harmonic(pair) for pair in pairs]
     return np.array(warm), np.array(errors), np.array(harmonics)
 
 

@@ -172,14 +172,14 @@ def _reach_verdict(
 def _make_cause(channel: Channel, ranking: Ranking, chosen: Posterior, effect: int) -> Cause:
     """A term with its level. White noise of the angle is called quantization if the readings lie on
     a grid whose step agrees with it."""
-    kind, step = channel.kind, channel.quantum
+    kind, step = channel.kind, channel.quantization_step
     term = _get_term(kind, chosen.problem, effect)
     levels = _draw_levels(chosen, effect) / term.factor
     low, value, high = _compute_quantiles(levels, chosen.weights, (TAIL, 0.5, 1 - TAIL))
     if term is kind.terms[0] and step is not None:
         steps = np.array([low, value, high]) * term.factor * np.sqrt(12)
         if steps[0] <= step <= steps[2]:
-            term = kind.quantum
+            term = kind.quantization
             low, value, high = (steps / term.factor).tolist()
     equivalents = _find_equivalents(kind, ranking, chosen, effect)
     return Cause(term, ranking.get_probability(effect), value, low, high, tuple(equivalents))

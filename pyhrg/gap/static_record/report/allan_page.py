@@ -5,18 +5,16 @@ import json
 from pathlib import Path
 
 from pyhrg.common.files import stage_files
-from pyhrg.common.pages.markup import Table, make_paragraph, make_wide_table
-from pyhrg.common.pages.shell import make_document
+from pyhrg.common.pages.markup import Table, make_document, make_paragraph, make_wide_table
 from pyhrg.gap.static_record.allan import FILES, PAGE, RESULT, TABLE, ChannelNoise, RecordNoise
 from pyhrg.gap.static_record.report.figures import draw_fitted_noise
-from pyhrg.records.table import fold_absent_columns
 
 STYLE = "td,th{text-align:left}svg text{fill:#000}.panels{grid-template-columns:minmax(0,40rem)}"
 READING = (
     "The points are the overlapping Allan deviation, the band its 95 % intervals. The line is the "
-    "noise that was fitted to the record by maximum likelihood (IEEE Std 952). Earth's rate and "
-    "gravity are in the mean. A noise that the record does not show has an upper bound. Where the "
-    "line misses the points, the record holds something else than noise at rest, such as motion."
+    "noise that was fitted to the record by maximum likelihood (IEEE Std 952), with the rate ramp. "
+    "Earth's rate and gravity are in the mean. A noise that the record does not show has an upper "
+    "bound. Where the line misses the points, the record holds something else, such as motion."
 )
 
 
@@ -36,16 +34,16 @@ def build_allan_page(noise: RecordNoise) -> str:
         f"<h1>{html.escape(title)}</h1>",
         make_paragraph(READING),
         *map(_build_section, noise.channels),
-        *(make_paragraph(f"Left out: {note}", "weak") for note in fold_absent_columns(noise.notes)),
+        *(make_paragraph(f"Record: {note}", "weak") for note in noise.notes),
     ]
     return make_document(title, STYLE, "".join(body), "")
 
 
 def _build_section(each: ChannelNoise) -> str:
     name, kind = html.escape(each.channel.name), each.channel.kind
-    figure = draw_fitted_noise(each.deviation, each.noise, kind)
+    figure = draw_fitted_noise(each.deviation, each.noise, each.ramp.value, kind)
     caption = f"{each.deviation.n} readings every {each.channel.interval:g} s"
-    table = Table(caption, ("", "Value, 95 % interval", "Unit, or key with unit"), tuple(each.rows))
+    table = Table(caption, ("", "Value, 95 % interval", "Unit", "Key"), tuple(each.rows))
     return (
         f"<h2>{name}</h2>{make_wide_table(table)}"
         f'<div class="panels"><figure role="img" aria-label="Allan deviation of {name}">'

@@ -32,12 +32,16 @@ def draw_allan_deviation(d: ChannelDiagnosis) -> str:
     return _finish(d, figure, measured.tau, model)
 
 
-def draw_fitted_noise(measured: AllanDeviation, noise: NoiseCoefficients, kind: Kind) -> str:
-    """Allan deviation with 95 % intervals, and that of the noise fitted to the record."""
+def draw_fitted_noise(
+    measured: AllanDeviation, noise: NoiseCoefficients, ramp: float, kind: Kind
+) -> str:
+    """Allan deviation with 95 % intervals, and that of the noise and the rate ramp (SI) fitted to
+    the record."""
     figure = plot_measured_allan(measured, kind)
     (axes,) = figure.axes
-    fitted = compute_allan_deviation(measured.tau, noise) / kind.rate_scale
-    axes.plot(measured.tau, fitted, "-", color=AFTER, label="fitted noise")
+    drift = ramp * measured.tau / np.sqrt(2)
+    fitted = np.hypot(compute_allan_deviation(measured.tau, noise), drift) / kind.rate_scale
+    axes.plot(measured.tau, fitted, "-", color=AFTER, label="fitted noise and rate ramp")
     return _render(figure)
 
 

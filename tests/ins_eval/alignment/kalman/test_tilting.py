@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ins_eval.alignment.kalman.tilting import BOUNDS, estimate_tilting
+from ins_eval.alignment.kalman.fine import BOUNDS, estimate_tilting
 from ins_eval.common.sensor_errors import SensorErrors
 
 STEP, COUNT = 1.0, 300

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from ins_eval.study.challenge.predictions_file import read_predictions
+from ins_eval.study.challenge.score_predictions import read_predictions
 from pyhrg.common.errors import HrgError
 
 FLIGHTS = {(2, "car"), (3, "car"), (2, "ship"), (3, "ship")}

@@ -5,8 +5,8 @@ import pandas as pd
 import pytest
 from scipy.stats import norm
 
-from ins_eval.study.challenge.predictions_file import FIELDS
 from ins_eval.study.challenge.score_predictions import (
+    FIELDS,
     NAIVE,
     ChallengeScores,
     compute_interval_score,

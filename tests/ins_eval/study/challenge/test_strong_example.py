@@ -3,11 +3,11 @@ implementations."""
 
 import numpy as np
 
+from ins_eval.mission_model.gyro_map import start_maps
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import CASE_WARM_UP, SETTLING, STILL, WARM_UP, StudyMission
 from ins_eval.mission_model.position_errors import compute_map_errors
 from ins_eval.mission_model.signals import COUNT
-from ins_eval.mission_model.turned_maps import start_maps
 from ins_eval.trajectories.catalogue import find_mission_file
 from pyhrg.common.units import DEG_PER_H
 from tests.ins_eval.study.challenge.examples import load_strong

@@ -5,7 +5,7 @@ from dataclasses import fields
 import numpy as np
 import pytest
 
-from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.position_errors import TriadBlock
 from ins_eval.study.gyros.bench_plan import BenchPlan
 from ins_eval.study.gyros.drawn_triad import (
     TriadDistribution,

@@ -7,8 +7,9 @@ import pytest
 
 from ins_eval.mission_model.gyro_map import HARMONICS, TERMS, evaluate_terms
 from ins_eval.mission_model.missions import STILL, WARM_UP
-from ins_eval.mission_model.signals import COUNT, SIGNALS
-from ins_eval.mission_model.warming import (
+from ins_eval.mission_model.signals import (
+    COUNT,
+    SIGNALS,
     compute_case_warming_rate,
     compute_resonator_warming_rate,
     compute_resonator_warmth,

@@ -4,11 +4,10 @@ import numpy as np
 
 from ins_eval.mission_model import pattern_drift, signals
 from ins_eval.mission_model.alignment_at_rest import AlignmentAtRest
-from ins_eval.mission_model.gyro_map import TERMS
+from ins_eval.mission_model.gyro_map import TERMS, start_maps
 from ins_eval.mission_model.mission_weights import MissionWeights
+from ins_eval.mission_model.position_errors import TriadBlock
 from ins_eval.mission_model.signals import COUNT
-from ins_eval.mission_model.triad_block import TriadBlock
-from ins_eval.mission_model.turned_maps import start_maps
 from ins_eval.study.gyros.bench_plan import WARM_RISE
 from ins_eval.study.predictors import prediction_columns
 from pyhrg.common.arrays import Array

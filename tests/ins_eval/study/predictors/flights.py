@@ -3,8 +3,7 @@
 import numpy as np
 
 from ins_eval.mission_model.mission_weights import MissionWeights
-from ins_eval.mission_model.position_errors import compute_position_errors
-from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.position_errors import TriadBlock, compute_position_errors
 from pyhrg.common.arrays import Array
 
 

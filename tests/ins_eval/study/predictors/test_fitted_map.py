@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.stats import binom
 
-from ins_eval.mission_model.turned_maps import undo_start
+from ins_eval.mission_model.gyro_map import undo_start
 from ins_eval.study.predictors import fitted_map, true_parameters
 from ins_eval.study.predictors import prediction_columns as block
 from ins_eval.study.predictors.bench_figures import collect_bench_figures

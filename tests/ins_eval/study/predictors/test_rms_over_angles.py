@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from ins_eval.mission_model.gyro_map import TERMS
-from ins_eval.mission_model.turned_maps import start_maps
+from ins_eval.mission_model.gyro_map import TERMS, start_maps
 from ins_eval.study.predictors.rms_over_angles import compute_gyro_rms
 
 WEIGHTS = np.random.default_rng(1).normal(size=(1, 2, 2 * TERMS, 3))

@@ -9,11 +9,11 @@ from typing import Any
 import pandas as pd
 import pytest
 
-from ins_eval.study.report.page import select_shown, write_page
-from ins_eval.study.report.sections import make_sections
+from ins_eval.study.report.page import make_sections, select_shown, write_page
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.summary.predict_error import predict_from_study
 from ins_eval.study.tables import columns as c
+from tests.elements import check_scheme
 from tests.ins_eval.study.report.colours import SMALLEST_DIFFERENCE, measure_difference
 from tests.ins_eval.study.report.synthetic import MISSIONS, synthetic
 
@@ -158,17 +158,9 @@ def test_without_scripts_every_figure_and_table_is_there(
     context.close()
 
 
-@pytest.mark.parametrize(("scheme", "dark"), [("light", False), ("dark", True)])
-def test_light_and_dark(browser: Any, address: str, scheme: str, dark: bool) -> None:
-    opened = browser.new_page(color_scheme=scheme)
-    opened.goto(address)
-    back = opened.evaluate("getComputedStyle(document.body).backgroundColor")
-    light = [int(v) for v in back.strip("rgb()").split(",")]
-    assert (max(light) < 64) == dark
-    opened.emulate_media(media="print")
-    assert opened.evaluate("getComputedStyle(document.body).backgroundColor").startswith("rgb(255")
-    assert not opened.locator("#filters").is_visible()
-    opened.close()
+@pytest.mark.parametrize("dark", [False, True])
+def test_light_and_dark(browser: Any, address: str, dark: bool) -> None:
+    check_scheme(browser, address, dark)
 
 
 def test_an_empty_selection_explains_itself(

@@ -6,10 +6,10 @@ from itertools import combinations
 
 import pytest
 
-from ins_eval.study.report.figures.filters import COLOURS
+from ins_eval.study.report.figures.parts import COLOURS
 from ins_eval.study.study_file import load_study
 from ins_eval.study.tables.columns import PARTS
-from pyhrg.common.pages.shell import read_asset
+from pyhrg.common.pages.markup import read_asset
 from tests.ins_eval.study.report.colours import SMALLEST_DIFFERENCE, measure_difference
 
 STYLE = read_asset(files("pyhrg.common.pages"), "base.css")

@@ -9,7 +9,7 @@ import pytest
 
 from ins_eval.study import study_file
 from ins_eval.study.run import block
-from ins_eval.study.run.identity import identify_study
+from ins_eval.study.run.block import identify_study
 from ins_eval.study.specification import Study
 from tests.ins_eval.study import cases
 from tests.ins_eval.study.run import cheap

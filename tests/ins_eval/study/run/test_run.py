@@ -13,9 +13,8 @@ import pytest
 from distributed import LocalCluster
 
 from ins_eval.study.run import block, workers
-from ins_eval.study.run.block import Arrays, BlockWork
+from ins_eval.study.run.block import Arrays, BlockWork, Identity, identify_study
 from ins_eval.study.run.folder import StudyFolder
-from ins_eval.study.run.identity import Identity, identify_study
 from ins_eval.study.run.run import Cluster, run_experiment
 from ins_eval.study.run.workers import DASHBOARD_ADDRESS
 from ins_eval.study.specification import Study

@@ -21,7 +21,7 @@ from pyhrg.bench.calibration.calibration import (
 )
 from pyhrg.bench.calibration.calibration_maps import add_maps, fit_maps, turn_map
 from pyhrg.bench.outcome import BenchError, Outcome
-from pyhrg.bench.scale_factor.rate_tests import make_turn_power_ons
+from pyhrg.bench.scale_factor.scale_factor import make_turn_power_ons
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H
 from pyhrg.device import device_file
 from pyhrg.device.device import AngleMap, Device

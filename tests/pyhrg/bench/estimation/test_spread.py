@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pyhrg.bench.estimation.spread import estimate_excess, estimate_spread
+from pyhrg.bench.estimation.sizes import estimate_excess, estimate_spread
 
 FREEDOM = 12
 """Of the noise's estimate."""

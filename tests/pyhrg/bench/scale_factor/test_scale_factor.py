@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from benchmarks.intervals._scale_factor import gyro, noiseless, truths
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.outcome import BenchError, Outcome
-from pyhrg.bench.scale_factor import rate_tests, scale_factor_angle, scale_factor_rate
+from pyhrg.bench.scale_factor import scale_factor, scale_factor_angle, scale_factor_rate
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H
 from pyhrg.device.ready_devices import TYPICAL, Device
 from pyhrg.fmu import GyroFmu
@@ -174,7 +174,7 @@ def test_tilt_takes_ten_turns(slow_fmu: GyroFmu) -> None:
 
 def test_rows_that_are_too_long_are_refused(slow_fmu: GyroFmu) -> None:
     turn = scale_factor_rate.fit_scale_factor_map(
-        rate_tests.read_rate_turns(
+        scale_factor.read_rate_turns(
             campaign(Bench(slow_fmu, TYPICAL, step=0.1), scale_factor_rate), slow=False
         ),
         0.277,

@@ -7,7 +7,7 @@ import pytest
 
 from benchmarks.intervals.self_calibration import repeat
 from pyhrg.bench.outcome import BenchError, Outcome
-from pyhrg.bench.readings.sweeps import find_sweeps
+from pyhrg.bench.self_calibration.cycles import find_sweeps
 from pyhrg.bench.self_calibration.self_calibration import ROTATION, evaluate, record
 from pyhrg.common.site import Site
 from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H, PPM

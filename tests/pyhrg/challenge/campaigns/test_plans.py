@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyhrg.challenge.campaigns.course import make_course
+from pyhrg.bench.programme import make_course
 from pyhrg.challenge.campaigns.plans import TESTS, plan_further_tests, plan_tests
 from pyhrg.common.units import DEG
 from pyhrg.records import campaign

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.stats import binom
 
-from pyhrg.challenge.scoring.calibration import compute_squared_error, score_calibration
+from pyhrg.challenge.scoring.score import compute_squared_error, score_calibration
 
 
 def claims(n: int, seed: int, excess: float = 0.0) -> list[tuple[float, bool]]:

@@ -6,8 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyhrg.bench.programme import Programme
-from pyhrg.challenge.campaigns.course import make_course
+from pyhrg.bench.programme import Programme, make_course
 from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.challenge.campaigns.instruments import Instruments
 from pyhrg.challenge.campaigns.laboratory import vary_each
@@ -25,10 +24,10 @@ ROWS = 400
 RATE = 1e-3 * DEG_PER_H
 
 
-def meter(simulation: Simulation, believed: Device = GYRO, rate: float = 0.0) -> Meter:
+def meter(simulation: Simulation, nominal: Device = GYRO, rate: float = 0.0) -> Meter:
     programme = Programme(1.0, GRAVITY).spin(rate, ROWS)
     course = make_course(programme, 1.0)
-    return Meter(simulation, believed, [(course, 0.3)], Instruments())
+    return Meter(simulation, nominal, [(course, 0.3)], Instruments())
 
 
 def test_no_gap_has_no_strength(simulation: Simulation) -> None:
@@ -112,13 +111,13 @@ def test_parameters_say_the_effect(simulation: Simulation) -> None:
 def test_twice_the_noise_of_white_readings(simulation: Simulation) -> None:
     """Twice the divergence of n variances r times as large is n (r - 1 - ln r); a level known to
     3 % may make up for some of it."""
-    believed = replace(GYRO, angle_random_walk=0.0)
-    device = replace(believed, angle_white_noise=2 * believed.angle_white_noise)
+    nominal = replace(GYRO, angle_random_walk=0.0)
+    device = replace(nominal, angle_white_noise=2 * nominal.angle_white_noise)
     off = np.linspace(0, 30, 100_001)
     ratios = 4 * np.exp(-2 * 0.03 * off)
     expected = math.sqrt(np.min((ROWS - 1) * (ratios - 1 - np.log(ratios)) + off**2))
     assert expected < math.sqrt((ROWS - 1) * (4 - 1 - math.log(4)))
-    assert meter(simulation, believed).sigmas_of_noise(device) == pytest.approx(expected)
+    assert meter(simulation, nominal).sigmas_of_noise(device) == pytest.approx(expected)
 
 
 def test_quantisation_and_white_noise_stand_in_for_each_other(simulation: Simulation) -> None:

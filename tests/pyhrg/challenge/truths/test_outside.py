@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 import pyhrg
-from pyhrg.bench.programme import Programme
-from pyhrg.challenge.campaigns.course import Course, make_course
+from pyhrg.bench.programme import Course, Programme, make_course
 from pyhrg.challenge.campaigns.gyro import Disturbance, TrueGyro
 from pyhrg.challenge.campaigns.instruments import Instruments
 from pyhrg.challenge.campaigns.plans import TESTS, Variation

@@ -5,8 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyhrg.bench.programme import Programme
-from pyhrg.challenge.campaigns.course import make_course
+from pyhrg.bench.programme import Programme, make_course
 from pyhrg.challenge.campaigns.instruments import Instruments
 from pyhrg.challenge.truths.form import PLACES
 from pyhrg.challenge.truths.meter import Meter
@@ -43,7 +42,7 @@ def test_an_effect_is_as_strong_as_it_was_drawn(meter: Meter, effect: str) -> No
     assert (getattr(state.device, field) != getattr(GYRO, field)) == (field == "quantization_step")
 
 
-def test_none_is_the_believed_gyro(meter: Meter) -> None:
+def test_none_is_the_nominal_gyro(meter: Meter) -> None:
     state = drawing(meter, 1).state("none")
     assert state.device == GYRO
     assert state.truth.effects == ()

@@ -10,6 +10,7 @@ from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.report.figures.panels import compute_panels
 from pyhrg.gap.report.figures.views import VIEWS
 from pyhrg.gap.report.page import build_page
+from tests.elements import check_scheme
 
 pytestmark = pytest.mark.needs("chromium")
 
@@ -84,17 +85,9 @@ def test_without_scripts_all_channels_are_there(browser: Any, address: str) -> N
     context.close()
 
 
-@pytest.mark.parametrize(("scheme", "dark"), [("light", False), ("dark", True)])
-def test_light_and_dark(browser: Any, address: str, scheme: str, dark: bool) -> None:
-    opened = browser.new_page(color_scheme=scheme)
-    opened.goto(address)
-    back = opened.evaluate("getComputedStyle(document.body).backgroundColor")
-    light = [int(v) for v in back.strip("rgb()").split(",")]
-    assert (max(light) < 64) == dark
-    opened.emulate_media(media="print")
-    assert opened.evaluate("getComputedStyle(document.body).backgroundColor").startswith("rgb(255")
-    assert not opened.locator("#filters").is_visible()
-    opened.close()
+@pytest.mark.parametrize("dark", [False, True])
+def test_light_and_dark(browser: Any, address: str, dark: bool) -> None:
+    check_scheme(browser, address, dark)
 
 
 @pytest.mark.parametrize("width", [360, 800, 1600])

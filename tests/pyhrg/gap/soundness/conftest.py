@@ -5,27 +5,18 @@ from dataclasses import replace
 import pytest
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.common.units import ARCSEC, DEG, DEG_PER_SQRT_H, HZ
+from pyhrg.common.units import DEG
 from pyhrg.device import device_file
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.records.campaign import Campaign
+from tests.pyhrg.challenge.short import GYRO
 
-NOMINAL = Device(
-    name="nominal",
-    damping_anisotropy=1e-6,
-    damping_axis=20 * DEG,
-    frequency_split=5e-4 * HZ,
-    stiffness_axis=65 * DEG,
-    frequency_per_kelvin=8.5e-5,
-    decay_time_per_kelvin=-3e-3,
-    angle_random_walk=3e-4 * DEG_PER_SQRT_H,
-    angle_white_noise=0.036 * ARCSEC,
-)
+NOMINAL = replace(GYRO, name="nominal")
 
 
 def record_campaign(fmu: GyroFmu, device: Device) -> Campaign:
-    """One test of each kind, of a gyro whose nominal device is `BELIEVED`."""
+    """One test of each kind, of a gyro whose nominal device is `NOMINAL`."""
     bench = Bench(fmu, device, step=0.1)
     campaign = bench.campaign(bench.run(_power_ons(bench)))
     tests = [replace(t, role="holdout" if t.kind == "manoeuvre" else "fit") for t in campaign.tests]

@@ -12,9 +12,10 @@ from pyhrg import compute_allan
 from pyhrg.cli import allan
 from pyhrg.common.errors import HrgError
 from pyhrg.common.site import EARTH_RATE
-from pyhrg.common.units import DEG, DEG_PER_H, DEG_PER_SQRT_H
+from pyhrg.common.units import DEG, DEG_PER_H, DEG_PER_SQRT_H, HOUR
 from pyhrg.gap.static_record.allan import FILES
 from pyhrg.gap.static_record.record import MIN_READINGS
+from pyhrg.noise.coefficients import compute_allan_deviation
 
 N, INTERVAL, WALK, SITE_RATE = 8192, 0.1, 0.01 * DEG_PER_SQRT_H, EARTH_RATE * 0.6
 
@@ -42,7 +43,36 @@ def test_what_was_put_in_comes_out(log: Path) -> None:
     first = noise.deviations.iloc[0]
     expected = WALK / INTERVAL**0.5 / DEG_PER_H
     assert first["low_95"] < expected < first["high_95"]
-    assert "table_angle_deg: missing, taken as on a gyro at rest" in noise.notes
+    assert noise.notes == ("table_angle_deg: missing, taken as on a gyro at rest",)
+
+
+def test_a_rate_ramp_is_found_and_drawn(log: Path) -> None:
+    """A bias that drifts is in the coefficients, and the drawn line follows the points."""
+    ramp = 30 * DEG_PER_H / HOUR
+    frame = pd.read_csv(log)
+    frame["gyro_angle_deg"] += ramp / DEG * frame["time_s"] ** 2 / 2
+    frame.to_csv(log, index=False)
+    noise = compute_allan(log)
+    (gyro,) = noise.channels
+    assert gyro.ramp.low < ramp < gyro.ramp.high
+    assert gyro.ramp.present
+    assert gyro.rows[-1][2:] == ("deg/h/h", "rate_ramp_deg_h_h")
+    assert noise.document["channels"]["gyro"]["rate_ramp_deg_h_h"]["value"] == pytest.approx(
+        30, rel=0.1
+    )
+    drawn = np.hypot(
+        compute_allan_deviation(gyro.deviation.tau, gyro.noise),
+        gyro.ramp.value * gyro.deviation.tau / np.sqrt(2),
+    )
+    assert drawn[-1] == pytest.approx(gyro.deviation.deviation[-1], rel=0.1)
+
+
+def test_what_is_no_log_is_refused_with_the_way_out(tmp_path: Path) -> None:
+    with pytest.raises(HrgError, match="found a folder, expected a log, such as one in a campaign"):
+        compute_allan(tmp_path)
+    (tmp_path / "lab.csv").write_text("t_ms;rate_deg_h\n1000;9.6\n2000;9.7\n")
+    with pytest.raises(HrgError, match="`hrg campaign init` reads a bench log of other columns"):
+        compute_allan(tmp_path / "lab.csv")
 
 
 def test_the_command_writes_what_it_says(

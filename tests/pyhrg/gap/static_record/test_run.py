@@ -156,7 +156,7 @@ def test_a_laser_gyro_s_record_is_motion() -> None:
         pytest.skip(f"{path} is not there; HRG_REAL says where recorded data are")
     record = read_record(path)
     assert [c.kind for c in record.channels] == [GYRO] * 3 + [ACCELEROMETER] * 3
-    assert record.channels[0].quantum == pytest.approx(np.deg2rad(0.1 / 3600), rel=1e-6)
+    assert record.channels[0].quantization_step == pytest.approx(np.deg2rad(0.1 / 3600), rel=1e-6)
     shared = compute_shared_power(record.channels)
     assert np.all(shared[:3, 7:9] > 0.8)
     short = StaticRecord(record.source, tuple(c.part(0, 20000) for c in record.channels[2:3]))

@@ -7,8 +7,8 @@ import pytest
 from scipy.stats import kurtosis
 
 from ins_eval.mission_model.gyro_map import TERMS
+from ins_eval.mission_model.position_errors import TriadBlock
 from ins_eval.mission_model.signals import SIGNALS
-from ins_eval.mission_model.triad_block import TriadBlock
 from ins_eval.study.predictors.bench_figures import collect_bench_figures
 from ins_eval.study.predictors.parts.map_drift import MapDrift, compute_map_size, estimate_map_drift
 from tests.ins_eval.study.predictors import cases

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyhrg.bench.bias.position.position_runs import (
+from pyhrg.bench.bias.position.positions import (
     describe_leakage,
     estimate_between,
     estimate_within,

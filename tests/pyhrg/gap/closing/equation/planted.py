@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.challenge.campaigns.course import Course, make_course
+from pyhrg.bench.programme import Course, make_course
 from pyhrg.challenge.campaigns.gyro import Disturbance, TrueGyro
 from pyhrg.challenge.truths.form import find_ideal_pattern_angle
 from pyhrg.common.arrays import Array

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.stats import binomtest
 
-from pyhrg.gap.report.figures.bins import Residual, compute_edges, find_extremes, sum_in_bins
+from pyhrg.gap.report.figures.panels import Residual, compute_edges, find_extremes, sum_in_bins
 from pyhrg.gap.report.figures.views import AXES, Axis
 
 PLAIN = Axis("rate", "Rate", "deg/s", 0.01, bins=5)

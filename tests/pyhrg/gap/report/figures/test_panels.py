@@ -11,8 +11,8 @@ from pyhrg.gap.findings.diagnosis import GapFigure
 from pyhrg.gap.report.closing import compute_reduction_interval
 from pyhrg.gap.report.figures.panels import ALL, compute_panels
 from pyhrg.gap.report.figures.views import VIEWS, compute_axis_values, find_moving_axes
-from pyhrg.gap.report.held_out import build_held_out
 from pyhrg.gap.report.places import build_places, build_scales
+from pyhrg.gap.report.residuals import build_held_out
 
 
 def test_a_gap_is_outside_the_band_before_and_inside_after(with_gap: CampaignDiagnosis) -> None:

@@ -1,0 +1,1 @@
+"""The FMU that plays a trajectory from a file."""

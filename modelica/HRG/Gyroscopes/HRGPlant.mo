@@ -1,0 +1,54 @@
+within HRG.Gyroscopes;
+model HRGPlant "Resonator, pick-offs and drives of HRGEnvelope, for electronics of one's own"
+  final parameter Units.Time samplePeriod = 1e-3 "Control period";
+  parameter Integer seed(min = 0, max = 2147483647) = 0 "Seed of all noise";
+  parameter Units.Angle startAngle(min = -1000, max = 1000) = 0 "Pattern angle at power-on";
+  parameter Units.RelativeDisplacement startAmplitude(min = 1e-6, max = 10) = 1 "Antinode amplitude at power-on";
+  input Units.AngularVelocity angularRate(start = 0, min = -100, max = 100, nominal = 0.1) "Inertial rate about the input axis";
+  input Units.Acceleration accelerationX(start = 0, min = -1e5, max = 1e5, nominal = 10) "Specific force along the x electrodes";
+  input Units.Acceleration accelerationY(start = 0, min = -1e5, max = 1e5, nominal = 10) "Specific force across the x electrodes";
+  input Units.Acceleration accelerationZ(start = 0, min = -1e5, max = 1e5, nominal = 10) "Specific force along the input axis";
+  input Units.Temperature caseTemperature(start = 298.15, min = 100, max = 500, nominal = 300) "Temperature of the case";
+  input Units.DimensionlessRatio biasVoltage(start = 1, min = 0, max = 10, nominal = 1) "Electrode bias voltage over the nominal one";
+  input Units.Acceleration vibration(start = 0, min = -1e5, max = 1e5, nominal = 1) "Case vibration at the modal frequency, in phase";
+  input Units.RelativeForce force[4](each start = 0, each min = -1e6, each max = 1e6, each nominal = 1e-2) "Force {cos x, sin x, cos y, sin y} that is commanded, held for a control period";
+  input Units.AngularFrequency reference(start = 0, min = -1e5, max = 1e5, nominal = 1) "Frequency of the reference less the nominal modal one";
+  output Units.RelativeDisplacement reading[4](each nominal = 1) "Demodulated displacement {cx, sx, cy, sy}, sampled with noise";
+  Resonators.Resonator resonator(
+    final thermalPeriod = 1e-2,
+    startAngle = startAngle,
+    startAmplitude = startAmplitude,
+    angularRate = angularRate,
+    acceleration = {accelerationX, accelerationY, accelerationZ},
+    caseTemperature = caseTemperature,
+    biasVoltage = biasVoltage,
+    vibration = vibration,
+    reference = reference,
+    force = drive.force) "Vibrating shell";
+  Electrodes.PickOff pickOff(
+    displacement = resonator.displacement,
+    force = force,
+    temperature = resonator.environment.temperature,
+    acceleration = {accelerationX, accelerationY, accelerationZ},
+    noise = noise.displacement) "Pick-offs and demodulation";
+  Electrodes.Drive drive(
+    command = {
+      Electrodes.digitised(force[1], 0, drive.authority),
+      Electrodes.digitised(force[2], 0, drive.authority),
+      Electrodes.digitised(force[3], 0, drive.authority),
+      Electrodes.digitised(force[4], 0, drive.authority)},
+    acceleration = {accelerationX, accelerationY, accelerationZ},
+    temperatureRate = resonator.environment.temperatureRate,
+    noise = noise.force) "Drives";
+  Noise.ElectronicsNoise noise(
+    samplePeriod = samplePeriod,
+    bryanFactor = resonator.material.bryanFactor,
+    seed = seed) "Noise of drives and pick-offs; that of the electronics is left to them";
+equation
+  reading = pickOff.reading;
+  annotation (Documentation(info="<html>
+<p>The parts of <code>HRGEnvelope</code> without its controller. The exchange with the electronics is at 1 kHz: at each
+multiple of 1 ms they read, and command a force and a reference frequency that hold until the next. With
+<code>HRGElectronics</code> that are stepped after it in each period, it gives the bits of <code>HRGEnvelope</code>.</p>
+</html>"));
+end HRGPlant;

@@ -1,0 +1,81 @@
+"""What a log shows by itself: its layout, its names and units, and the texts of its values."""
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from pyhrg.common.arrays import Array
+from pyhrg.common.reading.files import decode, read_unpacked
+from pyhrg.records.campaign_import.layout import SEPARATORS
+from pyhrg.records.columns import LogError
+
+COMMENTS = ("#", "%", "!", "//")
+"""Beginnings of a first line that is a comment; the first one stands where none is found."""
+SEARCHED = ("semicolon", "tab", "bar", "comma")
+"""Separators in the order in which a row of values is searched for them; else it is `space`."""
+
+
+@dataclass(frozen=True)
+class Sketch:
+    """The layout of a log as keys of a mapping, and its cells.
+
+    layout: value of each key, as TOML.
+    names: of the columns, from the header.
+    units: from a row of units below the header, as many; empty texts where there is none.
+    rows: cells of each row of values.
+    """
+
+    layout: dict[str, str]
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+    def read_numbers(self, place: int) -> Array:
+        """(n,) values of a column; n is 0 where one is no number."""
+        texts = [row[place] if place < len(row) else "" for row in self.rows]
+        is_comma = "comma" in self.layout["decimal"]
+        try:
+            return np.array([float(t.replace(",", ".") if is_comma else t) for t in texts])
+        except ValueError:
+            return np.empty(0)
+
+
+def read_sketch(path: Path) -> Sketch:
+    """A log's sketch.
+
+    Raises:
+        LogError: the file can't be read, or has no header.
+    """
+    lines = decode(path.name, read_unpacked(path)).splitlines()
+    first = next((line.strip() for line in lines if line.strip()), "")
+    comment = next((mark for mark in COMMENTS if first.startswith(mark)), COMMENTS[0])
+    shown = [
+        i for i, line in enumerate(lines) if line.strip() and not line.strip().startswith(comment)
+    ]
+    last = lines[shown[-1]] if shown else ""
+    separator = next((name for name in SEARCHED if (SEPARATORS[name] or " ") in last), "space")
+    comma = separator != "comma" and bool(re.search(r"\d,\d", last))
+    rows = [_split(lines[i], separator) for i in shown]
+    head = next((i for i, row in enumerate(rows) if _has_values(row, len(rows[-1]))), 0)
+    named = [i for i in range(max(0, head - 2), head) if len(rows[i]) == len(rows[-1])]
+    if not named or not re.search("[A-Za-z]", "".join(rows[named[0]])):
+        raise LogError(f"{path}: found no row of names above the values, expected one")
+    layout = {"separator": f'"{separator}"', "decimal": '"comma"' if comma else '"point"'}
+    layout["comment"] = f'"{comment}"'
+    if named[0] > 0:
+        layout["lines_before_header"] = str(shown[named[0]])
+    if len(named) > 1:
+        layout["lines_after_header"] = "1"
+    units = rows[named[1]] if len(named) > 1 else [""] * len(rows[-1])
+    return Sketch(layout, tuple(rows[named[0]]), tuple(units), tuple(map(tuple, rows[head:])))
+
+
+def _split(line: str, separator: str) -> list[str]:
+    return [cell.strip().strip('"') for cell in line.split(SEPARATORS[separator])]
+
+
+def _has_values(row: Sequence[str], width: int) -> bool:
+    return len(row) == width and any(re.fullmatch(r"[-+]?[\d.,]+(e[-+]?\d+)?", c) for c in row)

@@ -1,0 +1,1 @@
+"""Published improvements of gyros, computed anew from parameters that were stated before."""

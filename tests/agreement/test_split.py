@@ -1,0 +1,74 @@
+"""The gyro in two FMUs, resonator and electronics, is the gyro in one."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from zipfile import ZipFile
+
+import pytest
+
+from fmu_build import build_fmu
+from tests.fmu_build.importer import Importer
+
+PERIOD = 1e-3
+FORCE, READING = ([f"{name}[{i}]" for i in (1, 2, 3, 4)] for name in ("force", "reading"))
+OUTPUTS = ["gyroAngle", "gyroRate", "amplitude", "quadrature", "quadratureForce", "valid"]
+SHARED = {
+    "seed": 7,
+    "startAngle": 0.4,
+    "noise.angleRandomWalk": 3e-6,
+    "noise.pickOff": 1e-7,
+    "noise.rateRandomWalk": 1e-7,
+    "noise.virtualRotation": 1e-4,
+}
+PLANT = {
+    "resonator.material.dampingAnisotropy": 1e-5,
+    "resonator.material.frequencySplit": 0.05,
+    "pickOff.gainMismatch": 1e-3,
+    "pickOff.feedthrough": 1e-4,
+    "drive.nonOrthogonality": 2e-3,
+}
+ELECTRONICS = {"controller.synthesis.loopDelay": 1e-4, "controller.readout.clockError": 1e-6}
+AUTHORITY = 0.05
+
+
+@pytest.fixture
+def gyros(tmp_path: Path) -> Iterator[list[Importer]]:
+    """The gyro, its plant, its electronics."""
+    opened = []
+    for model in ("HRG", "HRGPlant", "HRGElectronics"):
+        with ZipFile(build_fmu(model)) as archive:
+            archive.extractall(tmp_path / model)
+        opened.append(Importer(tmp_path / model))
+    yield opened
+    for each in opened:
+        each.free()
+
+
+def hand_on(start: Importer, end: Importer, names: list[str]) -> None:
+    end.set(dict(zip(names, start.get(names), strict=True)))
+
+
+def test_resonator_and_electronics_are_the_gyro(gyros: list[Importer]) -> None:
+    """To the last bit, with noise, errors and drives at their limit, if the electronics are stepped
+    after the resonator."""
+    whole, plant, electronics = gyros
+    whole.begin(SHARED | PLANT | ELECTRONICS | {"drive.authority": AUTHORITY})
+    plant.begin(SHARED | PLANT | {"drive.authority": AUTHORITY})
+    electronics.enter()
+    electronics.set(SHARED | ELECTRONICS | {"authority": AUTHORITY})
+    hand_on(plant, electronics, READING)
+    electronics.slave.exitInitializationMode()
+    for k in range(1500):
+        motion = {"angularRate": 0.3 if k > 300 else 0.0, "accelerationX": 9.8}
+        command = {"virtualRotation": 0.2 if k > 700 else 0.0}
+        whole.set(motion | command)
+        plant.set(motion)
+        electronics.set(command)
+        hand_on(electronics, plant, [*FORCE, "reference"])
+        whole.slave.doStep(k * PERIOD, PERIOD)
+        plant.slave.doStep(k * PERIOD, PERIOD)
+        hand_on(plant, electronics, READING)
+        electronics.slave.doStep(k * PERIOD, PERIOD)
+        assert electronics.get(OUTPUTS) == whole.get(OUTPUTS), k
+    assert abs(whole.get(["gyroAngle"])[0] - 0.3 * 1.2) < 0.01
+    assert whole.get(["valid"]) == [0.0]

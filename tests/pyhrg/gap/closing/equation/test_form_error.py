@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pyhrg.challenge.campaigns.course import Course
+from pyhrg.bench.programme import Course
 from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.challenge.truths.form import find_ideal_pattern_angle
 from pyhrg.common.arrays import Array

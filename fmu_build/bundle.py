@@ -33,6 +33,7 @@ from fmu_build.roots import PARTS, ROOTS, Root
 from pyhrg.common.caches.files import find_cache_folder, is_intact, write_digest
 from pyhrg.common.files import write_whole
 from pyhrg.common.made_by import find_modelica
+from pyhrg.common.reading.limits import refuse_unreadable
 
 SOURCES = (
     "model.c",
@@ -178,11 +179,12 @@ def write_fmu(
     """Translate, compile and pack a model; `path` appears only when all is done."""
     platforms = choose_platforms(platforms, fmi)
     progress(f"translating {root.model}")
-    dae = translate(find_modelica_library(), root.model, file=root.file)
     sources = [*SOURCES, SHELLS[fmi]]
     with tempfile.TemporaryDirectory(prefix="hrg-build-") as name:
         folder = Path(name)
-        description = write_sources(dae, folder, fmi, root)
+        with refuse_unreadable(root.model, "gyro that the generator knows"):
+            dae = translate(find_modelica_library(), root.model, file=root.file)
+            description = write_sources(dae, folder, fmi, root)
         content = {"modelDescription.xml": description.encode()}
         packed = [*(folder / name for name in sources), *folder.glob("*.h")]
         content |= {f"sources/{f.name}": f.read_bytes() for f in packed}

@@ -4,19 +4,22 @@ command                    what it prints
 bounds [GYROS]             bound of the bias map in each mission class
 mechanisms [GYROS]         how well each mechanism is known after an hour
 confounded                 directions among the mechanisms that simple motions see
-study [TRAINING JUDGED]    R2 of the position error in linear flights of two hours, of triads whose
+study [CALIBRATION TRAINING JUDGED]
+                           R2 of the position error in linear flights of two hours, of triads whose
                            maps are calibrated (seed 1, as `hrg study standard`)
-flown [JUDGED]             the same in a car for an hour, by maps that are estimated from flights on
-                           the FMU, with a self-test of 60 s
+flown [CALIBRATION TRIADS HOURS]
+                           scores of flights on the FMU at 1 kHz, after each triad
+benched [GYROS]            NEES of estimates with an error of the bench, and of their maps
 outside                    the estimate where something changed that its prior holds for constant
 """
 
 import sys
 
 import numpy as np
+import pandas as pd
+from scipy.stats import chi2
 
-from benchmarks.witness import bounds, flown, outside, study
-from benchmarks.witness.motions import HALF_PERIOD, ROTATION
+from benchmarks.witness import benched, bounds, flown, outside, study
 from ins_eval.study.experiment import load_fmu
 from ins_eval.study.gyros.drawn_triad import (
     TriadDistribution,
@@ -24,12 +27,14 @@ from ins_eval.study.gyros.drawn_triad import (
     make_triad_seed,
     tabulate_triads,
 )
-from ins_eval.study.gyros.population import RAW
+from ins_eval.study.gyros.population import RAW, TRIMMED
+from ins_eval.study.witness.judge import list_figures, score_witnesses
+from ins_eval.study.witness.self_test import HALF_PERIOD, ROTATION
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.witness.mechanisms import NAMES
 from pyhrg.witness.responses import Motion
 
-GYROS, TRAINING, JUDGED, FLOWN = 24, 60, 80, 20
+GYROS, TRAINING, JUDGED, FLOWN, BENCHED = 24, 60, 80, 20, 16
 FIRST_JUDGED = 100
 """Number of the first judged triad, as in `hrg study standard`."""
 STUDY_SEED = 1
@@ -74,50 +79,91 @@ def print_confounded() -> None:
         print(f"{title}, {DURATION / 60:g} min", *bounds.list_confounded(gyro, motion), sep="\n")
 
 
-def draw(first: int, count: int) -> list[study.DrawnTriad]:
-    fmu, distribution = load_fmu("HRGSlow"), TriadDistribution(population=RAW, method="map")
-    numbers = range(first, first + count)
+def make_distribution(method: str) -> TriadDistribution:
+    """What triads are drawn from, as in `hrg study`."""
+    if method == "mean":
+        return TriadDistribution(population=TRIMMED, method="mean")
+    return TriadDistribution(population=RAW, method="map")
+
+
+def draw(distribution: TriadDistribution, first: int, count: int) -> list[study.DrawnTriad]:
+    fmu, numbers = load_fmu("HRGSlow"), range(first, first + count)
     return [draw_triad(fmu, distribution, make_triad_seed(STUDY_SEED, n)) for n in numbers]
 
 
-def print_study(training: int, judged: int) -> None:
-    fmu, drawn = load_fmu("HRGSlow"), draw(FIRST_JUDGED, judged)
-    known = study.measure_triads(fmu, drawn)
-    blocks = tabulate_triads(fmu, draw(0, training)), tabulate_triads(fmu, drawn)
-    for title, scores in study.compute_scores(*blocks, known):
+def print_study(method: str, training: int, judged: int) -> None:
+    fmu, distribution = load_fmu("HRGSlow"), make_distribution(method)
+    drawn = draw(distribution, FIRST_JUDGED, judged)
+    known = study.measure_triads(fmu, distribution, drawn)
+    learned = tabulate_triads(fmu, draw(distribution, 0, training))
+    for title, scores in study.compute_scores(learned, tabulate_triads(fmu, drawn), known):
         print(title)
         for name, score in scores.items():
-            print(f"    {name:28s} R2 {score}", flush=True)
+            print(f"    {name:28s} {score}", flush=True)
 
 
-def print_flown(judged: int) -> None:
-    fmu, drawn = load_fmu("HRGSlow"), draw(FIRST_JUDGED, judged)
-    known = study.measure_triads(fmu, drawn)
-    scores = flown.compute_flown_scores(
-        load_fmu("HRG"), "car", drawn, tabulate_triads(fmu, drawn), known, 2 * HALF_PERIOD
+def print_flown(method: str, count: int, hours: int) -> None:
+    fmus, distribution = (load_fmu("HRG"), load_fmu("HRGSlow")), make_distribution(method)
+    numbers = range(FIRST_JUDGED, FIRST_JUDGED + count)
+    drawn = (
+        (n, draw_triad(fmus[1], distribution, make_triad_seed(STUDY_SEED, n))) for n in numbers
     )
-    for name, score in scores.items():
-        print(f"{name:28s} {score}")
+    tables: list[pd.DataFrame] = []
+    for rows in flown.fly_triads(fmus, distribution, drawn, hours):
+        tables.append(rows)
+        if len(tables) > 1:
+            scores = score_witnesses(pd.concat(tables), STUDY_SEED)
+            print(*("; ".join(row) for row in list_figures(scores)), sep="\n", flush=True)
+
+
+def print_benched(count: int) -> None:
+    for self_test in (True, False):
+        found = list(
+            benched.estimate_benched(load_fmu("HRG"), load_fmu("HRGSlow"), count, self_test)
+        )
+        square, degrees = sum(x.square for x in found), sum(x.degrees for x in found)
+        told, believed, sigma = (
+            1e3 * np.sqrt(np.mean(np.square([getattr(x, name) for x in found])))
+            for name in ("told", "believed", "sigma")
+        )
+        low, high = chi2.ppf((0.005, 0.995), degrees) / degrees
+        print(
+            f"self-test {self_test}: NEES {square / degrees:.2f} of {degrees} degrees "
+            f"({low:.2f} to {high:.2f}); map {told:.2f} mdeg/h, stated {sigma:.2f}, before "
+            f"{believed:.2f}; smallest p {min(x.p_value for x in found):.2g}",
+            flush=True,
+        )
 
 
 def print_outside() -> None:
-    print("bias map's error, mdeg/h: with the log, without it; p-value")
-    for field, found, believed, p in outside.compare_changes(load_fmu("HRG"), load_fmu("HRGSlow")):
-        errors = (1e3 * each / DEG_PER_H for each in (found, believed))
-        print(f"{field:24s}{'{:8.2f}{:8.2f}'.format(*errors)}{p:10.2g}", flush=True)
+    print("rms error of the bias map, mdeg/h: with the log, without it; ratios; followed")
+    ratios = []
+    for each in outside.compare_changes(load_fmu("HRG"), load_fmu("HRGSlow")):
+        told, believed = (
+            1e3 * np.sqrt(np.mean(errors**2)) / DEG_PER_H for errors in (each.told, each.believed)
+        )
+        listed = " ".join(f"{ratio:.2f}" for ratio in sorted(each.ratio))
+        count = f"{each.followed.sum()} of {len(each.followed)}"
+        print(f"{each.field:24s}{told:8.2f}{believed:8.2f}  {listed}  {count}", flush=True)
+        ratios.append(each.ratio)
+    print(f"90th percentile of all ratios: {np.quantile(ratios, 0.9):.2f}")
 
 
 if __name__ == "__main__":
-    command, numbers = sys.argv[1], [int(each) for each in sys.argv[2:]]
+    command, *rest = sys.argv[1:]
+    numbers = [int(each) for each in rest if each.isdigit()]
+    calibration = next((each for each in rest if not each.isdigit()), "map")
     if command == "bounds":
         print_bounds(*(numbers or [GYROS]))
     elif command == "mechanisms":
         print_mechanisms(*(numbers or [GYROS]))
     elif command == "confounded":
         print_confounded()
+    elif command == "flown":
+        print_flown(calibration, *(numbers or [FLOWN, 2]))
+    elif command == "benched":
+        print_benched(*(numbers or [BENCHED]))
     elif command == "outside":
         print_outside()
-    elif command == "flown":
-        print_flown(*(numbers or [FLOWN]))
     else:
-        print_study(*(numbers or [TRAINING, JUDGED]))
+        print_study(calibration, *(numbers or [TRAINING, JUDGED]))

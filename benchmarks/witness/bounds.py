@@ -22,7 +22,7 @@ from pyhrg.witness.information import (
     compute_posterior,
     rank_directions,
 )
-from pyhrg.witness.mechanisms import NAMES, SIGNALS
+from pyhrg.witness.mechanisms import NAMES, THERMAL
 from pyhrg.witness.responses import Motion, Responses, measure_responses
 
 ENDS = (0.0, 1 * MINUTE, 10 * MINUTE, 60 * MINUTE)
@@ -104,7 +104,7 @@ def tabulate_mechanisms(sample: list[SampleGyro], mission: str) -> Iterator[tupl
 def compute_thermal_bound(sample: list[SampleGyro]) -> float:
     """Rms over gyros of the map's standard deviation, deg/h, if thermal coefficients alone were
     unknown, as they are after the bench."""
-    thermal = np.outer(SIGNALS == "temperature", SIGNALS == "temperature")
+    thermal = np.outer(THERMAL, THERMAL)
     deviations = [
         compute_map_deviation(each.responses, np.where(thermal, each.prior, 0.0), each.rise)
         for each in sample

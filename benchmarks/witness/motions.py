@@ -7,14 +7,12 @@ import numpy as np
 from ins_eval.error_model.effects import ANGULAR_GAIN
 from ins_eval.mission_model.missions import STILL, plan_mission
 from ins_eval.mission_model.signals import compute_case_warming_rate, compute_resonator_warmth
+from ins_eval.study.witness.self_test import rotate_virtually
 from pyhrg.common.arrays import Array
-from pyhrg.common.units import DEG
 from pyhrg.witness.responses import Motion
 
-ROW = 0.1
+ROW = 0.5
 """Length of a row, s."""
-ROTATION, HALF_PERIOD = 5 * DEG, 30.0
-"""Virtual rotation of the self-test, rad/s, and the time after which it changes its sign, s."""
 CLASSES = {
     "car": "car",
     "aircraft": "aircraft with rolls",
@@ -43,8 +41,7 @@ class Ride:
         a self-test at power-on, s.
         """
         since = self.row * (np.arange(len(self.rate)) + 0.5)
-        sign = np.sign(np.sin(np.pi * since / HALF_PERIOD))
-        rotation = np.where(since < test, ROTATION * sign, 0.0)
+        rotation = rotate_virtually(since, test)
         rate = self.rate[:, axis]
         angle = start + self.row * ANGULAR_GAIN * np.cumsum(rotation - rate)
         temperature = rise * compute_resonator_warmth(since - STILL)

@@ -1,7 +1,7 @@
 """R2 of the position error by maps that are known as well as the channels allow (Cramer-Rao)."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -14,12 +14,10 @@ from ins_eval.mission_model.position_errors import (
     compute_expected_error,
     compute_position_errors,
 )
-from ins_eval.mission_model.signals import COUNT, slice_coefficients
+from ins_eval.mission_model.signals import slice_coefficients
 from ins_eval.mission_model.weights_cache import load_mission_weights
-from ins_eval.study.gyros.bench_plan import BenchPlan
-from ins_eval.study.gyros.drawn_triad import DrawnTriad
-from ins_eval.study.gyros.drift import Drift, Flight
-from ins_eval.study.gyros.population import RAW
+from ins_eval.study.gyros.drawn_triad import DrawnTriad, TriadDistribution
+from ins_eval.study.gyros.drift import Flight
 from ins_eval.study.gyros.witness_prior import make_study_drift, make_study_prior
 from ins_eval.study.predictors import fitted_map, true_parameters
 from ins_eval.study.predictors.bench_figures import collect_bench_figures
@@ -27,10 +25,14 @@ from ins_eval.study.predictors.prediction import NormalPrediction, Prediction
 from ins_eval.study.predictors.prediction_columns import TrainedModel, select_time, train
 from ins_eval.study.predictors.unpredictable import compute_unpredictable_covariance
 from ins_eval.study.scores.measures import compute_r2
+from ins_eval.study.scores.resampling import Estimate, bootstrap
+from ins_eval.study.witness.judge import compute_size_ratio
+from ins_eval.study.witness.self_test import SELF_TEST
+from ins_eval.study.witness.told_map import respond
+from ins_eval.study.witness.witnessed import read_true_changes
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, MICRO_G
 from pyhrg.device.device import Device
-from pyhrg.device.fmu_parameters import FMU_FIELDS
 from pyhrg.fmu import GyroFmu
 from pyhrg.witness.information import (
     accumulate_information,
@@ -38,30 +40,38 @@ from pyhrg.witness.information import (
     factor_covariance,
 )
 from pyhrg.witness.mechanisms import COUNT as MECHANISMS
-from pyhrg.witness.mechanisms import SIGNALS, find, read_values
 from pyhrg.witness.responses import Responses, measure_responses
 
 HOURS = 2.0
 ACCELEROMETER, MOUNTING = 10 * MICRO_G, 10 * ARCSEC
-TESTS = {"channels in flight": 0.0, "with a self-test of 60 s": 60.0, "of 280 s": 280.0}
+TESTS = {"channels in flight": 0.0, "with a self-test": SELF_TEST}
 """Durations of the self-test at power-on, s."""
 SEED = 1
-RESAMPLES = 999
 UNKNOWN = slice(4, 7)
 """Signals of the maps, specific force and fast turning, to which the response is not known."""
 
 
 @dataclass(frozen=True)
 class Score:
-    """R2 with its bootstrap interval of 95 % over triads, and the coverage of 90 % intervals."""
+    """Scores of r triads in m missions, with bootstrap intervals of 95 % over triads.
 
-    r2: float
-    low: float
-    high: float
+    r2: of the horizontal error; coverage: of 90 % intervals; corrected: median error after the
+    predicted one is taken out, over the median error.
+    """
+
+    r2: Estimate
     coverage: float
+    corrected: Estimate
 
     def __str__(self) -> str:
-        return f"{self.r2:.3f} ({self.low:.3f} to {self.high:.3f}), coverage {self.coverage:.2f}"
+        return (
+            f"R2 {_format(self.r2)}, coverage {self.coverage:.2f}, "
+            f"corrected {_format(self.corrected)}"
+        )
+
+
+def _format(found: Estimate) -> str:
+    return f"{found.value:.3f} ({found.low:.3f} to {found.high:.3f})"
 
 
 @dataclass(frozen=True)
@@ -89,27 +99,23 @@ class Known:
         return np.asarray(root @ (inner @ scaled + spread @ noise))
 
 
-def read_true_changes(device: Device, flight: Flight) -> Array:
-    """(COUNT,) changes of the mechanisms from a calibrated gyro to its flight, SI."""
-    drawn = {FMU_FIELDS[n]: v for n, v in flight.device.model.items() if n in FMU_FIELDS}
-    changes = read_values(replace(flight.device, **drawn)) - read_values(device)
-    changes[find("bias per rate of temperature")] = device.bias_per_temperature_rate
-    return changes
-
-
-def measure_triads(fmu: GyroFmu, drawn: list[DrawnTriad]) -> list[list[Known]]:
+def measure_triads(
+    fmu: GyroFmu, distribution: TriadDistribution, drawn: list[DrawnTriad]
+) -> list[list[Known]]:
     return [
         [
-            learn_gyro(measure_responses(fmu, device), device, flight)
+            learn_gyro(measure_responses(fmu, device), distribution, device, flight)
             for device, flight in zip(triad.calibrated, triad.flights, strict=True)
         ]
         for triad in drawn
     ]
 
 
-def learn_gyro(responses: Responses, device: Device, flight: Flight) -> Known:
-    drift = Drift()
-    prior = make_study_prior(responses, device, RAW, BenchPlan(), drift)
+def learn_gyro(
+    responses: Responses, distribution: TriadDistribution, device: Device, flight: Flight
+) -> Known:
+    population, plan, drift = distribution.population, distribution.bench, distribution.drift
+    prior = make_study_prior(responses, device, population, plan, drift)
     drifted = make_study_drift(device, drift)
     return Known(
         responses=responses,
@@ -127,7 +133,7 @@ def compute_scores(
     flights: dict[str, list[Array]] = {}
     for number, (mission, title) in enumerate(CLASSES.items()):
         weights = select_time(load_mission_weights(plan_mission(mission, HOURS)), -1)
-        flown = compute_position_errors(triads, weights, number).radial[:, 0]
+        flown = compute_position_errors(triads, weights, number).error[:, 0]
         predictions = predict_all(weights, load_ride(mission, HOURS), triads, known, model)
         for name, each in predictions.items():
             flights.setdefault(name, []).append(tabulate(flown, each))
@@ -197,7 +203,7 @@ def predict_by_changes(
     maps, covariance = triads.in_flight.copy(), other.copy()
     maps[:, slice_coefficients(UNKNOWN)] = 0.0
     for r, axis in np.ndindex(len(triads), 3):
-        response = _respond(known[r][axis].responses, triads.rise[r, axis])
+        response = respond(known[r][axis].responses, triads.rise[r, axis])
         error = response @ errors[r, axis]
         start = np.array([triads.start_angle[r, axis]])
         maps[r, :, axis] -= start_maps(error[:, None], start)[:, 0]
@@ -206,30 +212,20 @@ def predict_by_changes(
     return NormalPrediction(compute_expected_error(weights, maps), covariance)
 
 
-def _respond(responses: Responses, rise: float) -> Array:
-    """(COUNT of signals, mechanisms) coefficients over the pattern angle per unit of each
-    mechanism: of the map at power-on, of its change with warmth, and by the case's heating."""
-    at_unit = responses.output[:, :2].reshape(MECHANISMS, -1).T
-    response = np.zeros((COUNT, MECHANISMS))
-    for place, name in enumerate(("one", "temperature", None, "heating")):
-        size = 1.0 if name == "one" else rise
-        rows = slice_coefficients(slice(place, place + 1))
-        response[rows] = np.where(name == SIGNALS, size * at_unit, 0.0)
-    return response
-
-
 def tabulate(flown: Array, prediction: Prediction) -> Array:
-    """(r, 4) flown error, and the 5 %, 50 % and 95 % quantiles of the predicted one, m."""
+    """(r, 8) error north and east, the predicted one, the horizontal error, and the 5 %, 50 % and
+    95 % quantiles of the predicted one, m."""
     quantiles = [prediction.radius(share)[:, 0] for share in (0.05, 0.5, 0.95)]
-    return np.stack([flown, *quantiles], axis=1)
+    radial = np.linalg.norm(flown, axis=-1)
+    return np.column_stack([flown, prediction.expected[:, 0], radial, *quantiles])
 
 
 def score(table: Array) -> Score:
-    """Score of r triads in m missions, from (r, m, 4) values of `tabulate`."""
-    flown, low, middle, high = np.moveaxis(table, -1, 0)
-    drawn = np.random.default_rng(SEED).integers(len(table), size=(RESAMPLES, len(table)))
+    """Score of r triads in m missions, from (r, m, 8) values of `tabulate`."""
+    left = np.linalg.norm(table[..., :2] - table[..., 2:4], axis=-1)
+    flown, low, middle, high = np.moveaxis(table[..., 4:], -1, 0)
     return Score(
-        float(compute_r2(flown, middle)),
-        *np.quantile(compute_r2(flown[drawn], middle[drawn]), (0.025, 0.975)).tolist(),
+        bootstrap(compute_r2, [flown, middle], SEED),
         float(np.mean((low <= flown) & (flown <= high))),
+        bootstrap(compute_size_ratio, [flown, left], SEED),
     )

@@ -1,5 +1,6 @@
 """Variables of the flat model to modelDescription.xml, FMI 2.0 or 3.0."""
 
+import re
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator, Sequence
 from importlib.metadata import version
@@ -11,6 +12,7 @@ from fmu_build.equations.dae import Dae
 from fmu_build.equations.dependencies import trace_dependencies
 from fmu_build.equations.scalars import Scalar, list_scalars
 from fmu_build.roots import Root
+from pyhrg.common.errors import HrgError
 
 LOG_CATEGORIES = {
     "logStatusError": "Refused calls and failed steps, with the reason",
@@ -42,10 +44,23 @@ FMI3_CAPABILITIES = (
 FMI3_KINDS = {"real": "Float64", "integer": "Int32", "switch": "Boolean"}
 
 
+NO_TEXT = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+"""A character that XML 1.0 can't hold, such as the bell."""
+
+
 def format_xml(root: ET.Element) -> str:
-    """Indented text of a document, with its declaration."""
+    """Indented text of a document, with its declaration.
+
+    Raises:
+        HrgError: a name or a description of the model holds what XML can't.
+    """
     ET.indent(root)
-    return f'<?xml version="1.0" encoding="UTF-8"?>\n{ET.tostring(root, encoding="unicode")}\n'
+    text = ET.tostring(root, encoding="unicode")
+    if match := NO_TEXT.search(text):
+        raise HrgError(
+            f"a description of the model: found the character {match.group()!r}, expected text"
+        )
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n'
 
 
 def describe_fmi2(dae: Dae, model: Root, token: str, sources: Sequence[str]) -> str:

@@ -1,4 +1,4 @@
-/* An instance's situation, saved, restored, and as bytes. */
+/* An instance's situation, the noise generators' memory included: saved, restored, and as bytes. */
 #ifndef SNAPSHOT_H
 #define SNAPSHOT_H
 

@@ -29,6 +29,12 @@ def generate_limits(dae: Dae, token: str, fmi: int) -> str:
             high = dae.constant(variable.maximum, element)
             least = "-UNLIMITED" if low is None else repr(low)
             most = "UNLIMITED" if high is None else repr(high)
-            name = variable.element_name(element)
-            lines.append(f'  {{"{name}", {settable}, {kind}, {continuous}, {least}, {most}}},')
+            name = _quote(variable.element_name(element))
+            lines.append(f"  {{{name}, {settable}, {kind}, {continuous}, {least}, {most}}},")
     return "\n".join([*lines, "};", ""])
+
+
+def _quote(name: str) -> str:
+    """A name as a C string: one in Modelica's quotes may hold any character."""
+    escaped = name.replace("\\", r"\\").replace('"', r"\"")
+    return f'"{escaped}"'

@@ -88,6 +88,8 @@ def _nodes(expressions: Json) -> Iterator[Node]:
         if kind == "literal":
             yield Node("literal", next(iter(body.values())), ())
         elif kind == "coordinate":
+            if isinstance(body, str):
+                raise ValueError(f"an equation with {body} is not supported")
             ((role, target),) = body.items()
             yield Node(_COORDINATES.get(role, role), target, ())
         elif kind == "binary":
@@ -134,11 +136,14 @@ def _variables(storage: Json, source_map: Json) -> Iterator[Variable]:
         attributes = raw["attributes"]
         span = raw["declaration"]["span"]
         path, text = files[span["source"]]
+        scalar = storage["value_types"][raw["value_type"]]["scalar"]
+        if scalar == "string":
+            raise ValueError(f"{raw['name']}: a variable that is text is not supported")
         type_name = text[span["start"] : span["end"]].split()[0].decode()
         variable = Variable(
             name=raw["name"],
             role=raw["role"],
-            scalar=storage["value_types"][raw["value_type"]]["scalar"],
+            scalar=scalar,
             size=_size(raw["value_type"], storage["value_types"]),
             causality=attributes["causality"],
             tunable=attributes["is_tunable"],

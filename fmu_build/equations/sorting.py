@@ -31,12 +31,12 @@ class Schedule:
     parameters: dependent parameters, once.
     starts: start values of states and sampled variables, once parameters are known; outputs that
         are sampled ones.
-    held: what derivatives and samples need that no state touches: constant between samples and
-        inputs.
+    held: variables that derivatives or samples need and that depend on no state; they change only
+        at a sample or when an input is set.
     derivatives: what else the derivatives need, and the derivatives.
     outputs: all other continuous variables, aliases among them.
-    tick: everything that a sample computes; what no state touches only as often as it may change,
-        other continuous variables where sampled ones need them; outputs that are sampled ones.
+    tick: sampled variables, and the continuous variables that they need; held variables, at the
+        period of the most frequent sample that changes them; outputs that are sampled ones.
     """
 
     dae: Dae

@@ -1,8 +1,9 @@
-"""Modelica to flat equations: the only caller of the Modelica compiler."""
+"""Modelica to flat equations: with `class_compiler.py` the only caller of the Modelica compiler."""
 
 from pathlib import Path
 
 from fmu_build.equations.case_angle import add_case_angle
+from fmu_build.equations.class_compiler import compile_class
 from fmu_build.equations.compiler_document import read_document
 from fmu_build.equations.dae import Dae
 from pyhrg.common.errors import HrgError
@@ -24,12 +25,12 @@ def translate(library: Path, model: str, source: str = "", file: Path | None = N
         )
     try:
         if file is not None:
-            loaded = rumoca.Session([str(library)]).load(str(file), model=model)
+            document = compile_class(library, model, file)
         elif source:
-            loaded = rumoca.Session([str(library)]).loads(source, model=model)
+            document = rumoca.Session([str(library)]).loads(source, model=model).to_dict("dae")
         else:
-            loaded = rumoca.Session().load(str(library / "package.mo"), model=model)
-        document = loaded.to_dict("dae")
+            package = str(library / "package.mo")
+            document = rumoca.Session().load(package, model=model).to_dict("dae")
     except rumoca.RumocaError as error:
         raise HrgError(f"{model}: {error}") from error
     if document["schema_version"] != SCHEMA_VERSION:

@@ -21,6 +21,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add("--ageing-share", type=float, metavar="S", help="standard deviation of the change of "
         "damping, pick-offs and drives in a year, as a share of each (default: the "
         "study's)")  # fmt: skip
+    add("--bench-error", action="store_true", help="the device is known no better than the study's "
+        "bench leaves it, which confounds damping with drives")  # fmt: skip
     add("--mission", default="car", metavar="NAME|FILE", help="where the map's worth is computed "
         "(default car)")  # fmt: skip
     add("--hours", type=float, default=1.0, help="duration of that mission (default 1)")
@@ -32,6 +34,7 @@ def run(options: argparse.Namespace) -> None:
     from ins_eval.mission_model.position_errors import AXES, compute_map_worth
     from ins_eval.mission_model.weights_cache import load_mission_weights
     from ins_eval.study.gyros.drift import AGEING_SHARE, LARGEST_LEAKAGE
+    from ins_eval.study.gyros.witness_prior import widen_prior
     from pyhrg.common.arguments import check_number
 
     age = check_number("--age-days", options.age_days, 0.0, 36525.0) / DAYS_PER_YEAR * YEAR
@@ -40,6 +43,8 @@ def run(options: argparse.Namespace) -> None:
     mission = plan_mission(options.mission, options.hours)
     device = pyhrg.load_device(options.device)
     prior = pyhrg.make_drift_prior(device, age, share, LARGEST_LEAKAGE)
+    if options.bench_error:
+        prior = widen_prior(prior, device)
     found = pyhrg.estimate_map(pyhrg.read_log(options.log), device, prior)
     weights = load_mission_weights(mission)
     after, before = (

@@ -19,9 +19,11 @@ CUBIC_SHARE = 0.75
 class MapSizes:
     """Standard deviations of a gyro's constants, from unit to unit; cosine and sine are alike.
 
-    mean: of the bias, rad/s; bias: of the harmonics of the bias by the resonator and the drives,
-    rad/s; pick_off: of the harmonics of the relative gain of the pick-offs, which rule the detected
-    angle, and through the misaimed amplitude force the bias as well; scale_factor: relative;
+    mean: of the bias, rad/s.
+    bias: of the harmonics of the bias by the resonator and the drives, rad/s.
+    pick_off: of the harmonics of the relative gain of the pick-offs. They shift the detected angle;
+        the amplitude force then acts at a wrong angle, which adds a bias.
+    scale_factor: relative.
     decay_time: s.
     """
 

@@ -32,7 +32,8 @@ COSIMULATED_TRIADS = 2
 COSIMULATION_INTERVAL = 0.02
 """Interval of the increments in the co-simulation, s. Chosen."""
 MIN_CHECKED_DISTANCE = 1.0
-"""Distance below which its linear model is not checked, m: none matters. Chosen."""
+"""Distance below which its linear model is not checked, m, because so short a distance is
+immaterial. Chosen."""
 
 
 @dataclass(frozen=True)

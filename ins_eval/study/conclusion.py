@@ -23,7 +23,12 @@ from ins_eval.study.experiment import (
     select_errors,
     select_triads,
 )
-from ins_eval.study.flight_table import Training, tabulate_flights, train_methods
+from ins_eval.study.flight_table import (
+    Training,
+    tabulate_flights,
+    tabulate_witnessed,
+    train_methods,
+)
 from ins_eval.study.gyros.makers_calibration import Method
 from ins_eval.study.phase_diagram import (
     DURATION,
@@ -45,11 +50,13 @@ from ins_eval.study.study_data import (
     INTERVAL_PERCENT,
     LEAD_KEY,
     PHASE_KEY,
+    WITNESS_KEY,
     check_study_data,
 )
 from ins_eval.study.tables import columns, score
 from ins_eval.study.tables.columns import TABLE, write_table
 from ins_eval.study.tables.score import ALL, Score
+from ins_eval.study.witness.judge import WitnessScore, score_witnesses
 from pyhrg.common.arrays import Array
 from pyhrg.common.made_by import list_versions
 from pyhrg.common.units import DEG, DEG_PER_H, HOUR
@@ -115,7 +122,8 @@ def _select_final_errors(
 
 
 PHASE_TABLE = "phase_diagram.csv"
-FILES = (TABLE, PHASE_TABLE, page.PAGE, DOCUMENT)
+WITNESS_TABLE = "witness.csv"
+FILES = (TABLE, PHASE_TABLE, WITNESS_TABLE, page.PAGE, DOCUMENT)
 SCHEMA = "hrg-study/2"
 
 
@@ -140,13 +148,20 @@ def write_conclusion(study: Study, arrays: Arrays, folder: Path) -> None:
     ]
     phase = _describe_phase_diagram(study, arrays, trained)
     write_rows(phase.get("rows", []), folder / PHASE_TABLE)
-    document = _make_document(study, scores, _describe_lead(study, arrays), phase)
+    witnessed = tabulate_witnessed(study, arrays)
+    witnessed.to_csv(folder / WITNESS_TABLE, index=False)
+    told = score_witnesses(witnessed, study.seed)
+    document = _make_document(study, scores, _describe_lead(study, arrays), phase, told)
     (folder / DOCUMENT).write_text(json.dumps(document, indent=1, allow_nan=False) + "\n")
     page.write_page(check_study_data(frame, document), folder)
 
 
 def _make_document(
-    study: Study, scores: list[Score], lead_case: dict[str, Any], phase: dict[str, Any]
+    study: Study,
+    scores: list[Score],
+    lead_case: dict[str, Any],
+    phase: dict[str, Any],
+    told: list[WitnessScore],
 ) -> dict[str, Any]:
     """Content of study.json: what was studied, with which versions, and all scores."""
     return {
@@ -162,6 +177,7 @@ def _make_document(
         CONDITIONS_KEY: {c.title: c.what for c in CONDITIONS} if study.conditions else {},
         LEAD_KEY: lead_case,
         PHASE_KEY: phase,
+        WITNESS_KEY: [each.describe() for each in told],
         "made_by": list_versions(),
         "scores": [each.describe() for each in scores],
     }

@@ -27,6 +27,8 @@ from pyhrg.records.imu.log import Increments
 INTERVAL = 0.01
 """Interval of the IMU's increments, s. Chosen."""
 AXES = 3
+NOISE_IN_FLIGHT = 1
+"""Number, in the seed of a co-simulation's noise, that sets it apart from the linear model's."""
 
 
 @dataclass(frozen=True)
@@ -97,8 +99,17 @@ def cosimulate(
         noise: seed of the noise of gyros and accelerometers, from which each gyro gets its own;
             None leaves out all noise.
     """
-    measured = _measure(fmu, truth, triad, noise)
-    begin, zero = round(SETTLING / measured.interval), round(STILL / measured.interval)
+    return align_and_navigate(truth, _measure(fmu, truth, triad, noise))
+
+
+def align_and_navigate(
+    truth: MissionTruth, measured: Increments, settling: float = SETTLING
+) -> Array:
+    """(k, 2) error north and east, m, of a navigator with these increments.
+
+    settling: time from power-on after which the alignment begins, s.
+    """
+    begin, zero = round(settling / measured.interval), round(STILL / measured.interval)
     start = truth.start
     mat_nb = level_and_gyrocompass(measured.between(begin, zero), start.latitude)
     state = State(start.latitude, start.longitude, start.height, start.velocity, mat_nb)
@@ -128,7 +139,7 @@ def _measure(
     """Increments of a triad from power-on; the navigator believes its input axes orthogonal."""
     true = truth.increments
     rates = true.rotation @ tilt_input_axes(triad.mounting).T / true.interval
-    gyros, accelerometers = _make_noise_seeds(noise) if noise else ([None] * AXES, None)
+    gyros, accelerometers = make_noise_seeds(noise) if noise else ([None] * AXES, None)
     time = true.bounds[:-1]
     moving = []
     for axis, flown in enumerate(triad.flights):
@@ -141,15 +152,32 @@ def _measure(
             for flown, seed in zip(triad.flights, gyros, strict=True)
         ]
         recorded = record_together(on, moving, [{}] * AXES, true.interval, ["gyroAngle"])
-    rotation = np.diff(np.hstack([angle for angle, _ in recorded]), axis=0, prepend=0.0)
+    angles = np.hstack([angle for angle, _ in recorded])
+    return make_increments(truth, triad, angles, accelerometers)
+
+
+def make_increments(
+    truth: MissionTruth, triad: DrawnTriad, angles: Array, noise: np.random.Generator | None
+) -> Increments:
+    """Increments of a triad from power-on.
+
+    angles: (n, 3) output of the gyros at the end of each interval, rad; noise: generator of the
+    accelerometers' noise, None for none.
+    """
+    true = truth.increments
     velocity = true.velocity + true.interval * triad.accelerometers
-    if accelerometers is not None:
+    if noise is not None:
         deviation = TYPICAL_ACCELEROMETERS.random_walk * np.sqrt(true.interval)
-        velocity += deviation * accelerometers.standard_normal(velocity.shape)
-    return Increments(true.interval, rotation, velocity, -STILL)
+        velocity += deviation * noise.standard_normal(velocity.shape)
+    return Increments(true.interval, np.diff(angles, axis=0, prepend=0.0), velocity, -STILL)
 
 
-def _make_noise_seeds(noise: np.random.SeedSequence) -> tuple[list[int], np.random.Generator]:
+def seed_noise(triad: DrawnTriad, mission: int) -> np.random.SeedSequence:
+    """Seed of a triad's noise in a mission of a study, by its number."""
+    return np.random.SeedSequence(triad.seed.tolist(), spawn_key=(mission, NOISE_IN_FLIGHT))
+
+
+def make_noise_seeds(noise: np.random.SeedSequence) -> tuple[list[int], np.random.Generator]:
     """Seeds of the gyros' noise, which the FMU takes from 0 to 2^31 - 1, and the generator of the
     accelerometers' noise."""
     seeds = noise.generate_state(AXES + 1, np.uint32)

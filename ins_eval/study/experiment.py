@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fmu_build.bundle import build_fmu
+from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import StudyMission, plan_mission
 from ins_eval.mission_model.position_errors import (
     PositionErrors,
@@ -19,7 +20,7 @@ from ins_eval.mission_model.position_errors import (
 from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.study import lead
 from ins_eval.study.conditions import CONDITIONS, ConditionSample
-from ins_eval.study.cosimulated import MissionTruth, cosimulate, sample_truth
+from ins_eval.study.cosimulated import MissionTruth, cosimulate, sample_truth, seed_noise
 from ins_eval.study.gyros.bench_plan import CALIBRATION, BenchPlan
 from ins_eval.study.gyros.drawn_triad import (
     DrawnTriad,
@@ -31,8 +32,11 @@ from ins_eval.study.gyros.drawn_triad import (
 from ins_eval.study.gyros.drift import Drift
 from ins_eval.study.gyros.makers_calibration import METHODS, Method
 from ins_eval.study.gyros.population import RAW, TRIMMED
+from ins_eval.study.predictors.prediction_columns import select_time
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.specification import CONDITION, MEAN, TEST, PlannedMission, Study
+from ins_eval.study.witness.believed import BelievedGyro
+from ins_eval.study.witness.block import believe_triad, witness_triads
 from ins_eval.trajectories.catalogue import find_mission_file
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, MICRO_G
@@ -54,11 +58,12 @@ COSIMULATED, NOISELESS, STEADY_LOOPS = "cosimulated", "noiseless", "steady_loops
 loops are in their steady state."""
 NUMBERS, FLOWN = "numbers", "flown"
 LEAD = "lead"
+WITNESS = "witness"
+Witnessed = dict[int, tuple[DrawnTriad, list[BelievedGyro]]]
+"""Triads whose channels are read, by number."""
 TRUTHS_KEPT = 10
 """Number of missions whose truth a process keeps; two hours of one take 100 MB. Chosen: those of
 `standard`, so that no block computes one again."""
-NOISE_IN_FLIGHT = 1
-"""Number, in the seed of a co-simulation's noise, that sets it apart from the linear model's."""
 
 
 def make_distribution(study: Study, method: Method) -> TriadDistribution:
@@ -84,11 +89,13 @@ def compute_block(study: Study, triads: range) -> Arrays:
     blocks = {m: tabulate_triads(load_fmu("HRGSlow"), each) for m, each in drawn.items()}
     for method, block in blocks.items():
         arrays |= _name_arrays(block, method)
+    believed = {m: _believe_triads(study, m, triads, each) for m, each in drawn.items()}
     with open_missions(study) as missions:
         for number, mission in enumerate(missions):
             weights = load_mission_weights(mission)
             for method, block in blocks.items():
                 path = f"{method}/{number}"
+                arrays |= _witness(study, method, number, triads, believed[method], weights)
                 arrays |= _name_arrays(compute_position_errors(block, weights, number), path)
                 flown = _cosimulate_triads(
                     study, number, dict(zip(triads, drawn[method], strict=True))
@@ -123,6 +130,12 @@ def select_cosimulated(
         name: `COSIMULATED`, `NOISELESS` or `STEADY_LOOPS`.
     """
     return arrays[f"{method}/{mission}/{name}"]
+
+
+def select_witnesses(arrays: Arrays, method: Method, mission: int) -> dict[str, Array]:
+    """(r, self-tests, ...) fields of `WitnessedFlight`; NaN where a triad was not witnessed."""
+    path = f"{method}/{mission}/{WITNESS}/"
+    return {k.removeprefix(path): v for k, v in arrays.items() if k.startswith(path)}
 
 
 def select_condition(arrays: Arrays, place: int) -> tuple[list[int], TriadBlock, PositionErrors]:
@@ -228,8 +241,7 @@ def _cosimulate_triads(
     mission = study.missions[number]
     for triad, each in drawn.items():
         if study.role_of(triad) == TEST:
-            key = (number, NOISE_IN_FLIGHT)
-            noise = np.random.SeedSequence(each.seed.tolist(), spawn_key=key)
+            noise = seed_noise(each, number)
             truth = load_truth(mission.file_name, mission.content, mission.hours)
             flown[COSIMULATED][triad] = cosimulate(load_fmu("HRG"), truth, each, noise)
             if study.is_in_sample(triad, study.agreement):
@@ -237,6 +249,32 @@ def _cosimulate_triads(
             if study.is_in_sample(triad, study.steady_agreement):
                 flown[STEADY_LOOPS][triad] = cosimulate(load_fmu("HRGSlow"), truth, each)
     return flown
+
+
+def _believe_triads(
+    study: Study, method: Method, triads: range, drawn: list[DrawnTriad]
+) -> Witnessed:
+    """The triads of a block whose channels are read in flight, by number."""
+    fmu, distribution = load_fmu("HRGSlow"), make_distribution(study, method)
+    return {
+        number: (each, believe_triad(fmu, distribution, each))
+        for number, each in zip(triads, drawn, strict=True)
+        if study.is_in_sample(number, study.witnessed)
+    }
+
+
+def _witness(
+    study: Study, method: Method, number: int, triads: range, believed: Witnessed,
+    weights: MissionWeights,
+) -> dict[str, NDArray[Any]]:  # fmt: skip
+    """What the channels tell in a mission of the study."""
+    if not study.witnessed:
+        return {}
+    flown = study.missions[number]
+    truth = load_truth(flown.file_name, flown.content, flown.hours)
+    fmus, end = (load_fmu("HRG"), load_fmu("HRGSlow")), select_time(weights, -1)
+    found = witness_triads(fmus, truth, end, number, believed, triads)
+    return {f"{method}/{number}/{WITNESS}/{name}": values for name, values in found.items()}
 
 
 def _fill_block(triads: range, errors: dict[int, Array], times: int) -> Array:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import pyarrow as pa
 
 from ins_eval.mission_model.gyro_map import TERMS
@@ -19,6 +20,7 @@ from ins_eval.study.experiment import (
     select_cosimulated,
     select_errors,
     select_triads,
+    select_witnesses,
 )
 from ins_eval.study.gyros.makers_calibration import Method
 from ins_eval.study.predictors.prediction_columns import (
@@ -34,6 +36,7 @@ from ins_eval.study.run.block import Arrays
 from ins_eval.study.specification import CONDITION, MEAN, Study
 from ins_eval.study.tables import columns
 from ins_eval.study.tables.columns import make_table
+from ins_eval.study.witness.tabulate import KEYS, tabulate_witnesses
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_H, HOUR, MICRO_G
 
@@ -82,6 +85,27 @@ def tabulate_flights(study: Study, arrays: Arrays, trained: Mapping[Method, Trai
         arrays: results of `experiment.compute_block` for all triads.
     """
     return pa.concat_tables(list(_tabulate(study, arrays, trained)))
+
+
+def tabulate_witnessed(study: Study, arrays: Arrays) -> pd.DataFrame:
+    """Flights whose gyros' channels were read, of all calibrations and missions."""
+    if not study.witnessed:
+        return pd.DataFrame(columns=KEYS)
+    sensors = study.accelerometer_bias_micro_g * MICRO_G, study.mounting_arcsec * ARCSEC
+    inside, parts = study.interval_percent / 100, []
+    with open_missions(study) as missions:
+        weights = [select_time(load_mission_weights(mission), -1) for mission in missions]
+    for method in list_methods(study):
+        triads = select_triads(arrays, method)
+        for number, mission in enumerate(study.missions):
+            found = select_witnesses(arrays, method, number)
+            flights = tabulate_witnesses(
+                found, triads, weights[number], sensors, inside, study.seed
+            )
+            named = (method, mission.mission_class, mission.name)
+            parts.append(flights.assign(**dict(zip(KEYS, named, strict=False))))
+    joined = pd.concat(parts, ignore_index=True)
+    return joined[[*KEYS, *joined.columns.drop(list(KEYS))]]
 
 
 def _tabulate(

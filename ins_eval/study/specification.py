@@ -72,6 +72,8 @@ class Study(Checked):
             the work.
         lead: number of flights of the lead case, the gyro of the paper's Table 2.
         conditions: number of test triads that also fly in each of `conditions.CONDITIONS`.
+        witnessed: number of test triads, for each calibration, that also fly with the channels that
+            their gyros record of themselves, with and without a self-test.
         missions: missions in the order of the results.
         left_out: recorded drives that the study names and that are not on this machine.
         calibrations: some of `CALIBRATIONS`.
@@ -90,6 +92,7 @@ class Study(Checked):
     steady_agreement: int = whole(0, LARGEST_TRIADS, 0)
     lead: int = whole(0, 10_000, 0)
     conditions: int = whole(0, LARGEST_TRIADS, 0)
+    witnessed: int = whole(0, LARGEST_TRIADS, 0)
     missions: tuple[PlannedMission, ...]
     left_out: tuple[str, ...] = ()
     calibrations: tuple[str, ...] = CALIBRATIONS

@@ -27,6 +27,8 @@ LEAD_KEY = "lead"
 """Key of study.json: the lead case, empty without one."""
 PHASE_KEY = "phase_diagram"
 """Key of study.json: the phase diagram, empty without gyros that are calibrated at the mean."""
+WITNESS_KEY = "witness"
+"""Key of study.json: scores of the flights whose gyros' channels were read, empty without any."""
 KINDS = {"int": "iu", "number": "f", "text": "OUT", "numbers": "O"}
 """Kinds of numpy arrays in which each kind of column may be stored."""
 

@@ -165,7 +165,7 @@ def check_triads(study: Study, source: str) -> None:
             f"{fewest} or more with training {study.training}: with fewer that are judged, nothing "
             f"refutes intervals of {study.interval_percent:g} % that are too wide",
         )
-    for key in ("conditions", "agreement", "steady_agreement"):
+    for key in ("conditions", "agreement", "steady_agreement", "witnessed"):
         found = getattr(study, key)
         if found > study.judged or found == 1:
             raise top.error(key, found, f"0, or 2 to {study.judged}, the triads that are judged")

@@ -54,7 +54,7 @@ class Unit:
 
 
 def draw_unit(imu: Imu, count: int, seed: int | np.random.SeedSequence) -> Unit:
-    """Draw the unit whose `count` increments `Imu.measure` gives for this seed; the noise of its
+    """Draw the unit that `Imu.measure` draws for this count and seed. Only the noise of its
     accelerometers is another one.
 
     Raises:

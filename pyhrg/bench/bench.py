@@ -1,5 +1,6 @@
 """The virtual bench: simulates power-ons of a gyro on its FMU and logs them as a bench does."""
 
+import math
 import zlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -204,9 +205,12 @@ def record_rows_together(
 def compute_earth_rate(device: Device, axis_up: Array, table_angle: Array) -> Array:
     """Earth's rate on the input axis, rad/s; a misaligned axis leans north once in a table turn.
 
-    `axis_up` is the projection of the table's axis on local up; `table_angle`, rad, broadcasts with
+    `axis_up` is the projection of the table's axis on local up, the rest of which points east: a
+    table that tilts to the east turns that below the horizon. `table_angle`, rad, broadcasts with
     it.
     """
     azimuth = table_angle + device.misalignment_direction
     site = replace(device.site, latitude=device.site.latitude + device.latitude_error)
-    return site.compute_earth_rate(axis_up, device.misalignment, azimuth)
+    east = np.sqrt(np.maximum(1 - np.asarray(axis_up) ** 2, 0.0))
+    below = site.vertical_rate * math.sin(device.table_tilt_east) * east
+    return site.compute_earth_rate(axis_up, device.misalignment, azimuth) - below

@@ -1,6 +1,5 @@
 """Runs a challenge: simulate, publish hashes, diagnose, add next tests, score."""
 
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
@@ -34,6 +33,10 @@ from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 from pyhrg.gap.replay.simulation import Simulation, load_model, load_simulation
 from pyhrg.records import campaign as campaigns
 
+LARGEST_STRENGTH_SIGMAS = 1e6
+"""Largest strength that can be asked for. Chosen: far beyond it effects leave the ranges of their
+parameters."""
+STRENGTHS = f"above {DETECTION_SIGMAS:g}, up to {LARGEST_STRENGTH_SIGMAS:g}"
 REFUSAL = "refusal.json"
 """In the place of a diagnosis: the sentence with which the campaign was refused."""
 Diagnose = Callable[[Path, Path, Sequence[str]], None]
@@ -115,7 +118,7 @@ def run_challenge(
         weak: number with one effect of 1 to 6 sigma.
         several: number with three to eight effects, up to ten times as strong.
         left_out: number with an effect that is removed from the catalogue, each in turn.
-        strongest: strengths are drawn from 6 sigma up to this.
+        strongest: strengths are drawn from 6 sigma up to this, 1e6 at most.
         level: "ideal", "good-lab" (nominal values and bench are off within their tolerances) or
             "rough-lab" (within three times that).
         data: "full", "few" (one or two kinds of tests), "short" (a tenth as long) or "coarse".
@@ -134,8 +137,8 @@ def run_challenge(
     counts |= {"weak": weak, "several": several, "left_out": left_out}
     for name, count in counts.items():
         check_whole_number("pairs" if name == "pair" else name, count, 0, MAX_CASES)
-    if not DETECTION_SIGMAS < strongest < math.inf:
-        raise HrgError(f"strongest: found {strongest:g}, expected above {DETECTION_SIGMAS:g}")
+    if not DETECTION_SIGMAS < strongest <= LARGEST_STRENGTH_SIGMAS:
+        raise HrgError(f"strongest: found {strongest:g}, expected {STRENGTHS}")
     for name, choice, choices in (("level", level, LEVELS), ("data", data, AMOUNTS)):
         if choice not in choices:
             raise HrgError(f"{name}: found {choice!r}, expected {', '.join(choices)}")

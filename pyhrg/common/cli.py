@@ -162,6 +162,7 @@ def _dispatch(arguments: Sequence[str] | None) -> int:
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     for variable in SINGLE_THREAD:  # before a subcommand imports numpy
         os.environ.setdefault(variable, "1")
+    os.environ["MPLBACKEND"] = "agg"  # figures go to files; a notebook's backend is not for them
     given = sys.argv[1:] if arguments is None else arguments
     asked = [text for text in given if not text.startswith("-")][:1]
     installed = _find_commands()

@@ -128,6 +128,17 @@ class TomlTable:
                 raise self.error(f"{key}[{i}]", value, describe_range(low, high))
         return tuple(float(value) for value in values)
 
+    def optional_number(self, key: str) -> float | None:
+        """A finite number; None where it is null or not there."""
+        return None if self.values.get(key) is None else self.finite_number(key)
+
+    def texts(self, key: str) -> tuple[str, ...]:
+        """An array of texts, which is required."""
+        texts = self.require(key, "a list of texts")
+        if not isinstance(texts, list) or not all(isinstance(text, str) for text in texts):
+            raise self.error(key, texts, "a list of texts")
+        return tuple(texts)
+
     def _finite(self, key: str, value: object) -> float:
         if isinstance(value, bool) or not isinstance(value, int | float):
             raise self.error(key, value, "a number")

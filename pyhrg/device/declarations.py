@@ -44,9 +44,10 @@ class ToleranceDeclaration:
     name: of the cause if it is off by more, in the record format.
     family: see `Family`.
     scale: typical size of a change of it, SI; a sensitivity is taken over a hundredth of it.
-    tolerance: one standard deviation of the true value about the told one, SI.
-    relative_tolerance: the same over the told value; the larger of the two holds.
+    tolerance: one standard deviation of the true value about the stated one, SI.
+    relative_tolerance: the same over the stated value; the larger of the two holds.
     angle, periods: see `EffectDeclaration`.
+    imitators: names of other errors of the bench that do the same to a gyro in every test.
     """
 
     name: str
@@ -56,6 +57,7 @@ class ToleranceDeclaration:
     relative_tolerance: float = 0.0
     angle: str = ""
     periods: int = 0
+    imitators: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

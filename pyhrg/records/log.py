@@ -116,7 +116,8 @@ def read_log(
 ) -> Log:
     """Read a log from a CSV file (docs/records.md), gzipped or not.
 
-    Rows without a time and rows that repeat an earlier one are dropped. Missing and saturated
+    Rows without a time, rows that repeat an earlier one, and a few that are out of order or
+    contradict another of the same time are dropped. Missing and saturated
     values become NaN; their rows stay. Gaps and unknown columns are noted. `Log.exclusions` has a
     sentence on each.
 
@@ -130,9 +131,9 @@ def read_log(
 
     Raises:
         HrgError: the file can't be read; a column stands there twice or under another unit; there
-            are no times or too few rows; a field is no number or out of range; one time has
-            different values; time runs back, or its steps contradict the interval; values are in
-            another unit than the header says.
+            are no times or too few rows; a field is no number or out of range; more than a few
+            times have different values or run back; time steps contradict the interval; values are
+            in another unit than the header says.
     """
     table = read_table(Path(path))
     latitude = None if latitude_deg is None else latitude_deg * DEG
@@ -145,7 +146,7 @@ def build_log(
     """A log of a table's rows, checked and with notes on what was left out. The interval is in s,
     by default the median time step; without the site's latitude, rad, Earth's rate is not looked
     for; `any_sign` as in `read_log`."""
-    table = timing.drop_repeated_rows(table)
+    table = timing.drop_wrong_rows(table)
     interval = timing.find_interval(table, interval)
     table = timing.note_gaps(_note_missing_values(table), interval)
     table = saturation.remove_saturation(table, interval)
@@ -175,9 +176,12 @@ def write_log(log: Log, path: Path) -> None:
 
 
 def _note_missing_values(table: Table) -> Table:
+    values = [table.columns[column.field] for column in COLUMNS if column.field != "time"]
+    is_empty = np.all(np.isnan(values), axis=0)
+    table = table.add_note(is_empty, "no values but a time")
     for column in COLUMNS:
         missing = np.isnan(table.columns[column.field])
         is_known = column.optional or f"no column {column.name}" in table.notes
         if not (missing.all() and is_known):
-            table = table.add_note(missing, f"{column.name} missing")
+            table = table.add_note(missing & ~is_empty, f"{column.name} missing")
     return table

@@ -22,12 +22,12 @@ FALSE_ALARM_COUNT = 1e-6
 def remove_saturation(table: Table, interval: float) -> Table:
     """The table without the values of saturated stretches, which are noted.
 
-    An angle is saturated where it repeats while the table turns. Any channel is saturated where it
-    repeats for longer than the other rows under the same commands make credible. If a share p of n
-    steps repeats the value before, then r repeats in succession are expected n p^r times by chance.
-    Two kinds of runs are left alone: a value that a channel has most of the time (a gyro without
-    noise, a force that is off), and a value that waits for its next quantization step, which it
-    enters and leaves by one or two steps.
+    An angle is saturated where it repeats while the table turns. Any channel is saturated where a
+    run of equal values is improbably long, given how often values repeat in the other rows under
+    the same commands: if a share p of n steps repeats the value before, then r repeats in
+    succession are expected n p^r times by chance. Two kinds of runs are left alone: a value that a
+    channel has most of the time (a gyro without noise, a force that is off), and a run that is
+    entered and left by one or two quantization steps, as in a channel that changes slowly.
     """
     turning = np.append(
         False, np.abs(np.diff(table.columns["table_angle"])) > MOVING_TABLE_RATE * interval

@@ -15,49 +15,97 @@ INTERVAL_TOLERANCE = 0.01
 
 INTERVAL_RANGE = (1e-6, 1e6)
 """Shortest and longest interval, s. Chosen."""
+MAX_WRONG_SHARE = 0.005
+"""Largest share of rows that are left out because they contradict each other or are out of order.
+Chosen: more is another recorder's log."""
 MAX_SPARSENESS = 100
 """Largest ratio of the intervals that a log spans to its rows. Chosen: missing rows take memory."""
 FREE_ROWS = 1_000_000
 """Intervals up to which the ratio is not looked at. Chosen: they fill no memory."""
 
 
-def drop_repeated_rows(table: Table) -> Table:
-    """The table without rows that have no time or repeat an earlier row in full; both are noted."""
+def drop_wrong_rows(table: Table) -> Table:
+    """The table without rows that have no time, repeat an earlier row in full, contradict another
+    of the same time, or are out of order; each is noted.
+
+    Raises:
+        LogError: more than a few rows contradict each other or are out of order, or too few are
+            left.
+    """
     is_lost = np.isnan(table.columns["time"])
     table = table.add_note(is_lost, f"no {BY_FIELD['time'].name}, left out").keep_rows(~is_lost)
     is_repeated = _find_repeated_rows(table)
     table = table.add_note(is_repeated, "an earlier row again, left out").keep_rows(~is_repeated)
-    time = table.columns["time"]
-    if len(time) < 2:
-        raise LogError(f"{table.source}: {len(time)} rows with a time; expected at least 2")
-    back = np.flatnonzero(np.diff(time) < 0)
-    if len(back):
-        row = int(back[0]) + 1
-        raise table.error(
-            row, "time", f"{time[row]:g} after {time[row - 1]:g}; expected time to increase"
-        )
+    table = _drop_few(table, _find_contradicting_rows(table), "two rows of one time, left out")
+    table = _drop_few(table, _find_disordered_rows(table), "out of order, left out")
+    if len(table.rows) < 2:
+        raise LogError(f"{table.source}: {len(table.rows)} rows with a time; expected at least 2")
     return table
 
 
-def _find_repeated_rows(table: Table) -> NDArray[np.bool_]:
-    values = np.stack(list(table.columns.values()), axis=-1)
-    order = np.argsort(table.columns["time"], kind="stable")
-    first, second = order[:-1], order[1:]
-    same_time = table.columns["time"][first] == table.columns["time"][second]
-    first, second = first[same_time], second[same_time]
-    equal = np.isclose(values[first], values[second], rtol=0, atol=0, equal_nan=True)
-    different = np.flatnonzero(~equal.all(axis=1))
-    if len(different):
-        i = different[0]
-        field = list(table.columns)[int(np.argmin(equal[i]))]
+def _drop_few(table: Table, wrong: NDArray[np.bool_], trouble: str) -> Table:
+    """The table without wrong rows, with a note on them; unchanged where they are many."""
+    if np.sum(wrong) > MAX_WRONG_SHARE * len(wrong):
+        _refuse_disorder(table)
+    return table.add_note(wrong, trouble).keep_rows(~wrong)
+
+
+def _refuse_disorder(table: Table) -> None:
+    """Raise the error on the first row that contradicts another, or whose time runs back."""
+    time = table.columns["time"]
+    values, (first, second) = _stack_values(table), _pair_rows_of_one_time(table)
+    if len(first):
+        differs = ~_are_equal(values[first[0]], values[second[0]])
         raise table.error(
-            int(second[i]),
-            field,
-            f"differs from row {table.rows[first[i]]} at the same time; expected one row a time",
+            int(second[0]),
+            list(table.columns)[int(np.argmax(differs))],
+            f"differs from row {table.rows[first[0]]} at the same time; expected one row a time",
         )
+    row = int(np.flatnonzero(np.diff(time) < 0)[0]) + 1
+    raise table.error(
+        row, "time", f"{time[row]:g} after {time[row - 1]:g}; expected time to increase"
+    )
+
+
+def _find_disordered_rows(table: Table) -> NDArray[np.bool_]:
+    """Rows that come after a later one, and the later ones: which of them is wrong is not known."""
+    time = table.columns["time"]
+    if not len(time):
+        return np.zeros(0, dtype=bool)
+    later = np.minimum.accumulate(time[::-1])[::-1]
+    return np.asarray((time < np.maximum.accumulate(time)) | (time > later))
+
+
+def _find_contradicting_rows(table: Table) -> NDArray[np.bool_]:
+    """Rows whose time another row has too, with other values."""
+    wrong = np.zeros(len(table.rows), dtype=bool)
+    for rows in _pair_rows_of_one_time(table):
+        wrong[rows] = True
+    return wrong
+
+
+def _find_repeated_rows(table: Table) -> NDArray[np.bool_]:
+    first, second = _pair_rows_of_one_time(table)
+    values = _stack_values(table)
     is_repeated = np.zeros(len(values), dtype=bool)
-    is_repeated[second] = True
+    is_repeated[second[_are_equal(values[first], values[second]).all(axis=1)]] = True
     return is_repeated
+
+
+def _pair_rows_of_one_time(table: Table) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Rows whose time the next one in time has too, and those next ones."""
+    time = table.columns["time"]
+    order = np.argsort(time, kind="stable")
+    same = time[order[:-1]] == time[order[1:]]
+    return order[:-1][same], order[1:][same]
+
+
+def _stack_values(table: Table) -> Array:
+    return np.stack(list(table.columns.values()), axis=-1)
+
+
+def _are_equal(one: Array, other: Array) -> NDArray[np.bool_]:
+    return np.isclose(one, other, rtol=0, atol=0, equal_nan=True)
 
 
 def find_interval(table: Table, stated: float | None) -> float:

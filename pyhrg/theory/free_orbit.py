@@ -36,7 +36,8 @@ class FreeShell:
 
         Args:
             time: (n,) since the drive was switched off, s, ascending.
-            angle: of the pattern then, rad; amplitude 1, quadrature zero.
+            angle: pattern angle as the drive is switched off, rad; the amplitude is 1 then, the
+                quadrature zero.
             pattern_rate: rate of the pattern by rotation of the case alone, -k Omega, rad/s.
             pickoff: gain mismatch g and non-orthogonality d of the pick-offs, g + i d.
         """

@@ -12,7 +12,7 @@ from pyhrg.common.units import DEG_PER_H
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.records.log import Log
-from pyhrg.witness.fit import fit_changes, measure_block_noise
+from pyhrg.witness.fit import Flown, fit_changes
 from pyhrg.witness.information import compute_maps_response
 from pyhrg.witness.mechanisms import NAMES, change_device
 from pyhrg.witness.prior import Prior
@@ -143,13 +143,12 @@ def estimate_map(log: Log, device: Device, prior: Prior) -> MapEstimate:
     """
     witnesses = read_witnesses(log, device)
     slow, fast = GyroFmu(build_fmu("HRGSlow")), GyroFmu(build_fmu("HRG"))
-    responses = measure_responses(slow, device)
-    noise = measure_block_noise(fast, device)
-    fitted = fit_changes(fast, device, witnesses, prior, responses, noise)
+    gyro = Flown(device, witnesses, prior, measure_responses(slow, device))
+    (fitted,) = fit_changes(fast, slow, [gyro])
     changes, covariance = fitted.changes, fitted.covariance
     if fitted.p_value <= SIGNIFICANCE:
         changes, covariance = prior.mean, prior.covariance
-    response = compute_maps_response(responses, fitted.temperature)
+    response = compute_maps_response(fitted.responses, fitted.temperature)
     return MapEstimate(
         changes=changes,
         covariance=covariance,

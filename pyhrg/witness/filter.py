@@ -34,12 +34,17 @@ class Filtered:
     p_value: float
 
 
-def filter_rows(design: Array, values: Array, noise: Array, prior: Array) -> Filtered:
+def filter_rows(
+    design: Array, values: Array, noise: Array, prior: Array, scatter: Array | None = None
+) -> Filtered:
     """The estimate from rows in their order.
 
     design: (n, channels, p) per unit of the states; values: (n, channels); noise: (channels,)
-    standard deviations; prior: (p, p) covariance of the states, whose mean is zero.
+    standard deviations of white noise; prior: (p, p) covariance of the states, whose mean is zero;
+    scatter: (channels,) standard deviations of rows, `noise` by default: more where noise that
+    averages out faster than white noise adds to it. Bursts are judged by it.
     """
+    scatter = noise if scatter is None else scatter
     count, channels, states = design.shape
     mean, covariance = np.zeros(states), prior.copy()
     weights, innovations = np.ones((count, channels)), np.empty((count, channels))
@@ -51,10 +56,10 @@ def filter_rows(design: Array, values: Array, noise: Array, prior: Array) -> Fil
             predicted = float(sensitivity @ spread)
             variance = noise[channel] ** 2
             error = float(values[row, channel] - sensitivity @ mean)
-            size = abs(error) / np.sqrt(predicted + variance)
+            size = abs(error) / np.sqrt(predicted + scatter[channel] ** 2)
             if size > HUBER:
                 weights[row, channel] = HUBER / size
-                variance = max(variance, (error / HUBER) ** 2 - predicted)
+                variance = (error / HUBER) ** 2 - predicted
             innovations[row, channel] = error / np.sqrt(predicted + variance)
             gain = spread / (predicted + variance)
             left = identity - np.outer(gain, sensitivity)

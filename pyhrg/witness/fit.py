@@ -1,95 +1,168 @@
 """Changes of a gyro's mechanisms that explain its forces (docs/methods/witness.md, Eq. 8)."""
 
+from collections.abc import Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass
 
 import numpy as np
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
-from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
+from pyhrg.fmu import CONTROL_PERIOD, GyroFmu, record_together
 from pyhrg.witness.filter import filter_rows
 from pyhrg.witness.information import factor_covariance
-from pyhrg.witness.mechanisms import COUNT, SIGNALS, change_device
+from pyhrg.witness.mechanisms import COUNT, HEATING, change_device
 from pyhrg.witness.prior import Prior
-from pyhrg.witness.replay import SETTLING, Witnesses, guess_course, replay
-from pyhrg.witness.responses import FORCES, Responses, compute_design
+from pyhrg.witness.replay import SETTLING, Replay, Witnesses, guess_course, replay
+from pyhrg.witness.responses import (
+    FORCES,
+    Motion,
+    Responses,
+    evaluate_motion,
+    measure_channels,
+    measure_responses,
+)
 
-ROUNDS = 4
-"""Number of Gauss-Newton rounds. Derived: a decay time that is off by 2 % is off by 2 % of that
-after each round, which is below its noise after four."""
-COURSES = 2
-"""Number of replays by which the course is found in each round. Derived: each leaves the gyro's
-errors as a share of what the one before left, 1e-3."""
+STAGES = 2
+"""Number of times that the gyro is replayed and its sensitivities are taken, with the changes of
+the time before. Derived: the second replay is off by the nonlinear part of the changes that the
+first left, which is below noise."""
+REPLAYS = 2
+"""Number of replays in each stage, the last of which is compared. Derived: each leaves of the
+course's error the gyro's errors as a share of what the one before left, 1e-3."""
 BLOCK = 5.0
 """Time over which rows are averaged before they are compared, s. Chosen: pick-off noise, which the
-loops differentiate, is then below force noise, and the noise white."""
-NOISE_BLOCKS = 600
-"""Number of blocks of simulated noise. Chosen: levels are known to 3 %."""
+loops differentiate, is then below force noise."""
+SCATTER_BLOCKS = 200
+"""Number of blocks of simulated noise by which bursts are judged. Chosen: known to 5 %."""
+
+
+@dataclass(frozen=True)
+class Flown:
+    """What a fit needs of one gyro.
+
+    device: the gyro as it is believed; witnesses: of its flight; prior: of its changes; responses:
+    of the device, whose noise is that of the forces.
+    """
+
+    device: Device
+    witnesses: Witnesses
+    prior: Prior
+    responses: Responses
 
 
 @dataclass(frozen=True)
 class FittedChanges:
     """What the forces say if nothing but the mechanisms made them.
 
-    changes: (COUNT,) since the calibration, SI; covariance: of these; temperature, angle: of the
-    resonator above the reference, K, and of the pattern, rad, at the end; burst_share: share of the
-    rows that were limited; p_value: as of `Filtered`.
+    changes: (COUNT,) since the calibration, SI; covariance: of these; responses: sensitivities of
+    the changed gyro; temperature, angle: of the resonator above the reference, K, and of the
+    pattern, rad, at the end; burst_share: share of the rows that were limited; p_value: as of
+    `Filtered`.
     """
 
     changes: Array
     covariance: Array
+    responses: Responses
     temperature: float
     angle: float
     burst_share: float
     p_value: float
 
 
-def fit_changes(
-    fmu: GyroFmu,
-    device: Device,
-    witnesses: Witnesses,
-    prior: Prior,
-    responses: Responses,
-    noise: Array,
-) -> FittedChanges:
-    """The mechanisms' changes by Gauss-Newton: each round replays the device with the changes of
-    the last one, and filters all rows again.
+def fit_changes(fast: GyroFmu, slow: GyroFmu, gyros: Sequence[Flown]) -> list[FittedChanges]:
+    """The mechanisms' changes of gyros in flights of one length, by Gauss-Newton.
 
-    fmu: `HRG`; responses: of the device; noise: as of `measure_block_noise`.
+    Each stage replays the gyros with the changes of the last one. The first has one round, which
+    finds where to replay; the second adds what its first round changed of the quasi-static forces,
+    and filters all rows again: a decay time that is off by 2 % is off by 2 % of that after each.
+
+    fast: `HRG`; slow: `HRGSlow`.
     """
+    courses = [guess_course(each.device, each.witnesses) for each in gyros]
+    changes = [each.prior.mean for each in gyros]
+    responses = [each.responses for each in gyros]
+    scatters = _measure_scatter(fast, [each.device for each in gyros])
+    for stage in range(STAGES):
+        changed = [change_device(g.device, x) for g, x in zip(gyros, changes, strict=True)]
+        witnesses = [each.witnesses for each in gyros]
+        for _ in range(REPLAYS):
+            replays = replay(fast, changed, witnesses, courses)
+            courses = [each.following for each in replays]
+        if stage:
+            responses = [
+                measure_responses(slow, each, g.responses.noise)
+                for g, each in zip(gyros, changed, strict=True)
+            ]
+        fitted = [
+            _fit_stage(slow, *each, rounds=stage + 1)
+            for each in zip(gyros, replays, changes, responses, scatters, strict=True)
+        ]
+        changes = [each.changes for each in fitted]
+    return fitted
+
+
+def _fit_stage(
+    slow: GyroFmu,
+    gyro: Flown,
+    replayed: Replay,
+    start: Array,
+    responses: Responses,
+    scatter: Array,
+    rounds: int,
+) -> FittedChanges:
+    """start: (COUNT,) changes of the replayed gyro; scatter: (2,) of the blocks."""
+    witnesses, prior = gyro.witnesses, gyro.prior
     root = factor_covariance(prior.covariance)
-    changes, course = prior.mean, guess_course(device, witnesses)
-    for _ in range(ROUNDS):
-        changed = change_device(device, changes)
-        for _ in range(COURSES):
-            course = replay(fmu, changed, witnesses, course).following
-        found = replay(fmu, changed, witnesses, course)
-        design = _average(compute_design(responses.forces, found.motion), witnesses.interval)
-        # what the rows say of the whole changes, not of this round's correction
-        replayed = np.where(SIGNALS == "heating", 0.0, changes)
-        values = _average(found.residuals, witnesses.interval) + design @ (replayed - prior.mean)
-        filtered = filter_rows(design @ root, values, noise, np.eye(COUNT))
+    noise = responses.noise / np.sqrt(BLOCK)
+    residuals = _average(replayed.residuals, witnesses.interval)
+    basis, design = _average_design(responses, replayed.motion)
+    changes, moved = start, np.zeros_like(residuals)
+    for left in reversed(range(rounds)):
+        # the replay leaves out the bias by the rate of temperature
+        values = residuals - moved + design @ (np.where(HEATING, 0.0, changes) - prior.mean)
+        filtered = filter_rows(
+            design @ root, values, noise, np.eye(COUNT), np.maximum(scatter, noise)
+        )
         changes = prior.mean + root @ filtered.mean
+        if left:
+            devices = [change_device(gyro.device, each) for each in (start, changes)]
+            before, after = measure_channels(slow, devices)[:, :2]
+            moved = basis @ (after - before).reshape(2, -1).T
     return FittedChanges(
         changes=changes,
         covariance=root @ filtered.covariance @ root.T,
-        temperature=float(found.motion.temperature[-1]),
+        responses=responses,
+        temperature=float(replayed.motion.temperature[-1]),
         angle=float(witnesses.angle[-1]),
         burst_share=float(np.mean(filtered.weights < 1)),
         p_value=filtered.p_value,
     )
 
 
-def measure_block_noise(fmu: GyroFmu, device: Device) -> Array:
-    """(2,) standard deviation of a block's mean force of a gyro at rest, pick-off noise included.
+def _average_design(responses: Responses, motion: Motion) -> tuple[Array, Array]:
+    """(b, POWERS MOTIONS TERMS) terms of the quasi-static forces, and (b, 2, COUNT) sensitivities,
+    averaged over `BLOCK`."""
+    terms = evaluate_motion(motion).reshape(len(motion.angle), -1)
+    steady = _average(terms, motion.interval)
+    heated = _average(terms * motion.heating[:, None], motion.interval)
+    flat = responses.forces.reshape(COUNT, 2, -1)
+    design = np.einsum("bt,cft->bfc", steady, flat)
+    design[:, :, HEATING] = np.einsum("bt,cft->bfc", heated, flat[HEATING])
+    return steady, design
 
-    fmu: `HRG`.
-    """
+
+def _measure_scatter(fast: GyroFmu, devices: Sequence[Device]) -> Array:
+    """(d, 2) standard deviation about its neighbours of a block's mean force of gyros at rest,
+    pick-off noise included."""
     steps = round(BLOCK / CONTROL_PERIOD)
-    with fmu.power_on(device.fmu_parameters(), 1, 0.0) as gyro:
-        moving = {"angularRate": np.zeros((NOISE_BLOCKS, steps))}
-        _, means = gyro.record(moving, {}, CONTROL_PERIOD, [], FORCES)
-    return np.asarray(np.std(np.diff(means[2:], axis=0), axis=0) / np.sqrt(2))
+    moving = [{"angularRate": np.zeros((SCATTER_BLOCKS, steps))}] * len(devices)
+    with ExitStack() as stack:
+        gyros = [stack.enter_context(fast.power_on(d.fmu_parameters(), 1, 0.0)) for d in devices]
+        held: list[dict[str, Array]] = [{}] * len(gyros)
+        recorded = record_together(gyros, moving, held, CONTROL_PERIOD, [], FORCES)
+    steps_between = [np.diff(means[2:], axis=0) for _, means in recorded]
+    return np.std(steps_between, axis=1) / np.sqrt(2)
 
 
 def _average(rows: Array, interval: float) -> Array:

@@ -8,11 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.witness.mechanisms import COUNT, SIGNALS
-from pyhrg.witness.responses import TERMS, Motion, Responses, compute_design
+from pyhrg.witness.mechanisms import COUNT, HEATING
+from pyhrg.witness.responses import POWERS, TERMS, Motion, Responses, compute_design
 
 PIECE = 20_000
 """Number of rows that are taken at once; it bounds memory. Chosen."""
+SINGULAR = 1e-6
+"""Variance of a direction, as a share of the largest, below which it is not a degree of freedom.
+Chosen: above the nonlinearity of states that are functions of others."""
 OUTPUT = 1
 """Number of channels of the output, which counts where the true rate is known."""
 
@@ -64,12 +67,25 @@ def factor_covariance(covariance: Array) -> Array:
     return np.asarray(scale[:, None] * vectors * np.sqrt(np.maximum(values, 0.0)))
 
 
+def compute_normalized_square(error: Array, covariance: Array) -> tuple[float, int]:
+    """Normalised square of an estimate's error, and its degrees of freedom: the covariance may be
+    singular, and its units differ by orders of magnitude."""
+    scale = np.sqrt(np.diag(covariance))
+    used = scale > 0
+    values, vectors = np.linalg.eigh(
+        covariance[np.ix_(used, used)] / np.outer(scale[used], scale[used])
+    )
+    known = values > SINGULAR * values[-1]
+    along = vectors[:, known].T @ (error[used] / scale[used])
+    return float(np.sum(along**2 / values[known])), int(known.sum())
+
+
 def compute_maps_response(responses: Responses, temperature: float) -> Array:
     """(2 TERMS, COUNT) change of the bias map and of the scale-factor map per unit of each
     mechanism, at a constant temperature above the reference, K."""
-    signals = {"one": 1.0, "temperature": temperature, "heating": 0.0}
-    weights = np.array([signals[name] for name in SIGNALS])
-    return np.asarray(weights * responses.output[:, :2].reshape(COUNT, -1).T)
+    powers = temperature ** np.arange(POWERS)
+    maps = np.einsum("p,cpmt->cmt", powers, responses.output[:, :, :2]).reshape(COUNT, -1)
+    return np.asarray(np.where(HEATING, 0.0, maps.T))
 
 
 def compute_map_response(responses: Responses, temperature: float) -> Array:

@@ -1,7 +1,8 @@
 """Mechanisms that make the bias map and may have changed since the calibration.
 
-Each is one number that is added to a device. An anisotropy has two: a cosine and a sine. Thermal
-coefficients act in proportion to the temperature above the reference.
+Each is one number that is added to a device. An anisotropy has two: a cosine and a sine. What a
+bench knows well is a number of its own: the damping anisotropy's change per kelvin, rather than the
+share of an anisotropy that the bench confounds with the drives.
 """
 
 import cmath
@@ -15,9 +16,9 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 
-Signal = Literal["one", "temperature", "heating"]
-"""Signal that a mechanism acts in proportion to: constant, temperature of the resonator above the
-reference, K, or rate of the case's temperature, K/s."""
+Signal = Literal["one", "heating"]
+"""Signal that a mechanism acts in proportion to: constant, or rate of the case's temperature,
+K/s."""
 
 
 @dataclass(frozen=True)
@@ -48,13 +49,31 @@ def _read_damping(device: Device) -> complex:
 
 
 def _add_damping(direction: complex) -> Callable[[Device, float], Device]:
-    """A change of the damping anisotropy along the cosine (1) or the sine (i) of four angles."""
+    """A change of the damping anisotropy along the cosine (1) or the sine (i) of four angles; its
+    change per kelvin keeps its size."""
 
     def add(device: Device, change: float) -> Device:
         whole = _read_damping(device) + change * direction
-        return replace(device, damping_anisotropy=abs(whole), damping_axis=cmath.phase(whole) / 4)
+        changed = replace(
+            device, damping_anisotropy=abs(whole), damping_axis=cmath.phase(whole) / 4
+        )
+        return _set_warm_damping(changed, _read_warm_damping(device))
 
     return add
+
+
+def _read_warm_damping(device: Device) -> float:
+    return device.damping_anisotropy * device.damping_anisotropy_per_kelvin
+
+
+def _set_warm_damping(device: Device, per_kelvin: float) -> Device:
+    """The device whose damping anisotropy changes by so much per kelvin, 1/(s K), if it has one."""
+    size = device.damping_anisotropy
+    return replace(device, damping_anisotropy_per_kelvin=per_kelvin / size) if size else device
+
+
+def _add_warm_damping(device: Device, change: float) -> Device:
+    return _set_warm_damping(device, _read_warm_damping(device) + change)
 
 
 def _stretch_decay_time(device: Device, change: float) -> Device:
@@ -72,18 +91,20 @@ MECHANISMS = (
     _name_field("drive frame rotation", 1e-4, "drive_frame_rotation"),
     _name_field("phase error", 1e-4, "phase_error"),
     _name_field("residual quadrature", 1e-4, "residual_quadrature"),
-    _name_field("decay time per kelvin", 1e-4, "decay_time_per_kelvin", "temperature"),
-    _name_field(
-        "damping anisotropy per kelvin", 1e-3, "damping_anisotropy_per_kelvin", "temperature"
-    ),
-    _name_field("pick-off gain per kelvin", 1e-6, "pickoff_gain_per_kelvin", "temperature"),
-    _name_field("phase error per kelvin", 1e-5, "phase_per_kelvin", "temperature"),
+    _name_field("decay time per kelvin", 1e-4, "decay_time_per_kelvin"),
+    Mechanism("damping anisotropy per kelvin", 1e-9, _read_warm_damping, _add_warm_damping),
+    _name_field("pick-off gain per kelvin", 1e-6, "pickoff_gain_per_kelvin"),
+    _name_field("phase error per kelvin", 1e-5, "phase_per_kelvin"),
+    _name_field("pick-off cubic", 1e-4, "pickoff_cubic"),
     _name_field("bias per rate of temperature", 1e-6, "bias_per_temperature_rate", "heating"),
 )
 """The states of the estimate, in this order."""
 NAMES = tuple(each.name for each in MECHANISMS)
 COUNT = len(MECHANISMS)
-SIGNALS = np.array([each.signal for each in MECHANISMS])
+HEATING = np.array([each.signal == "heating" for each in MECHANISMS])
+"""Which mechanisms act by the rate of the case's temperature."""
+THERMAL = np.array(["per kelvin" in name for name in NAMES])
+"""Which mechanisms act by the temperature of the resonator above the reference."""
 
 
 def find(name: str) -> int:

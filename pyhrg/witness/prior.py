@@ -24,6 +24,9 @@ TURN_ON_NAMES = {
 }
 """Mechanisms by the FMU's parameters whose scatter between turn-ons a device may state, beside the
 damping anisotropy's."""
+CUBIC_DRIFT = 1e-5
+"""Standard deviation of the change of the pick-offs' cubic term since a calibration. Chosen: a
+tenth of that of the study's gyros."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +40,12 @@ class Prior:
 
 
 def make_drift_prior(
-    device: Device, age: float, ageing_share: float, leakage: float, heating: float = 0.0
+    device: Device,
+    age: float,
+    ageing_share: float,
+    leakage: float,
+    heating: float = 0.0,
+    cubic: float = CUBIC_DRIFT,
 ) -> Prior:
     """Changes of a device by ageing and by another turn-on.
 
@@ -45,8 +53,9 @@ def make_drift_prior(
     damping anisotropy, pick-offs and drives, as a share of each, growing with the root of time;
     leakage: largest share of the decay time that is lost in a year, uniform from 0; heating:
     standard deviation of the bias per rate of temperature, rad/K, whose mean is the device's own,
-    because a replay leaves it out. What the device
-    states of its turn-on to turn-on scatter is added (`Device.turn_on_scatter`).
+    because a replay leaves it out; cubic: standard deviation of the change of the pick-offs' cubic
+    term. What the device states of its turn-on to turn-on scatter is added
+    (`Device.turn_on_scatter`).
     """
     share, lost = ageing_share * math.sqrt(age / YEAR), leakage * age / YEAR
     pickoff = math.hypot(device.pickoff_gain_mismatch, device.pickoff_nonorthogonality)
@@ -61,7 +70,9 @@ def make_drift_prior(
     mean[decay], deviation[decay] = -lost / 2, lost / math.sqrt(12)
     rate = find("bias per rate of temperature")
     mean[rate], deviation[rate] = device.bias_per_temperature_rate, heating
-    return Prior(mean, np.diag(deviation**2) + compute_turn_on_covariance(device))
+    deviation[find("pick-off cubic")] = cubic
+    aged = _carry_warm_damping(device, np.diag(deviation**2))
+    return Prior(mean, aged + compute_turn_on_covariance(device))
 
 
 def compute_turn_on_covariance(device: Device) -> Array:
@@ -75,4 +86,14 @@ def compute_turn_on_covariance(device: Device) -> Array:
     along = np.array([math.cos(axis), math.sin(axis)])
     scatter = device.turn_on_scatter.get("resonator.material.dampingAnisotropy", 0.0)
     covariance[DAMPING, DAMPING] = scatter**2 * np.outer(along, along)
-    return covariance
+    return _carry_warm_damping(device, covariance)
+
+
+def _carry_warm_damping(device: Device, covariance: Array) -> Array:
+    """The covariance if a damping anisotropy that changes keeps its share of change per kelvin."""
+    carry = np.eye(COUNT)
+    axis, share = 4 * device.damping_axis, device.damping_anisotropy_per_kelvin
+    carry[find("damping anisotropy per kelvin"), DAMPING] = share * np.array(
+        [math.cos(axis), math.sin(axis)]
+    )
+    return np.asarray(carry @ covariance @ carry.T)

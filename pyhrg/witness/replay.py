@@ -5,6 +5,8 @@ the one that turns the simulated pattern, as it is detected, through the recorde
 temperature the one that gives the recorded frequency.
 """
 
+from collections.abc import Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,7 +15,7 @@ from scipy.ndimage import uniform_filter1d
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.device.device import Device
-from pyhrg.fmu import GyroFmu
+from pyhrg.fmu import Gyro, GyroFmu, record_together
 from pyhrg.records.log import Log
 from pyhrg.witness.responses import FORCES, SOAKED_LAG, Motion
 
@@ -44,6 +46,17 @@ class Witnesses:
     frequency: Array
     virtual_rotation: Array
     specific_force: Array
+
+    def take(self, count: int) -> "Witnesses":
+        """The first rows."""
+        return Witnesses(
+            self.interval,
+            self.angle[: count + 1],
+            self.forces[:count],
+            self.frequency[:count],
+            self.virtual_rotation[:count],
+            self.specific_force[:count],
+        )
 
 
 @dataclass(frozen=True)
@@ -117,29 +130,59 @@ def guess_course(device: Device, witnesses: Witnesses) -> Course:
     return Course(float(witnesses.angle[0]), rate, np.zeros_like(rate))
 
 
-def replay(fmu: GyroFmu, device: Device, witnesses: Witnesses, course: Course) -> Replay:
-    """The FMU `HRG` of a device on a course."""
-    count = len(course.rate)
-    steps = max(1, round(witnesses.interval / STEP))
-    rows = np.arange(count)
+def replay(
+    fmu: GyroFmu,
+    devices: Sequence[Device],
+    witnesses: Sequence[Witnesses],
+    courses: Sequence[Course],
+) -> list[Replay]:
+    """The FMU `HRG` of each device on its course, all together."""
+    runs = list(zip(devices, witnesses, courses, strict=True))
+    intervals = {each.interval for each in witnesses}
+    if len(intervals) > 1:
+        raise ValueError("found logs of other intervals, expected one for all")
+    steps = max(1, round(witnesses[0].interval / STEP))
+    moving = [_list_moving(*each, steps) for each in runs]
+    held = [
+        {f"acceleration{x}": each.specific_force[:, i] for i, x in enumerate("XYZ")}
+        | {"virtualRotation": each.virtual_rotation}
+        for each in witnesses
+    ]
+    with ExitStack() as stack:
+        gyros = [stack.enter_context(_power_on(fmu, d, c.start)) for d, _, c in runs]
+        names = [*FORCES, "frequencyOffset"]
+        step = witnesses[0].interval / steps
+        recorded = record_together(gyros, moving, held, step, ["patternAngle"], names)
+    return [
+        _compare(*run, ends[:, 0], means) for run, (ends, means) in zip(runs, recorded, strict=True)
+    ]
+
+
+def _power_on(fmu: GyroFmu, device: Device, start: float) -> Gyro:
+    # the rate of the case's temperature is not that of the soaked gyro: the design has its effect
+    soaked = replace(device.without_noise(), thermal_lag=SOAKED_LAG, bias_per_temperature_rate=0.0)
+    return fmu.power_on(soaked.fmu_parameters(), 0, start)
+
+
+def _list_moving(
+    device: Device, witnesses: Witnesses, course: Course, steps: int
+) -> dict[str, Array]:
+    rows = np.arange(len(course.rate))
     # the resonator follows the case by the lag, so that the case has to be ahead of it
     ahead = np.interp(rows + SOAKED_LAG / witnesses.interval, rows, course.temperature)
     case = device.reference_temperature + ahead
-    # the rate of the case's temperature is not that of the soaked gyro: the design has its effect
-    soaked = replace(device.without_noise(), thermal_lag=SOAKED_LAG, bias_per_temperature_rate=0.0)
     # a rate that is linear in each row keeps the mean force right to second order
     inside = (np.arange(steps) + 0.5) / steps - 0.5
-    moving = {
+    return {
         "angularRate": course.rate[:, None] + np.gradient(course.rate)[:, None] * inside,
         "caseTemperature": np.repeat(case[:, None], steps, axis=1),
     }
-    held = {f"acceleration{x}": witnesses.specific_force[:, i] for i, x in enumerate("XYZ")}
-    held["virtualRotation"] = witnesses.virtual_rotation
-    step = witnesses.interval / steps
-    with fmu.power_on(soaked.fmu_parameters(), 0, course.start) as gyro:
-        names = [*FORCES, "frequencyOffset"]
-        ends, means = gyro.record(moving, held, step, ["patternAngle"], names)
-    simulated = np.concatenate([[course.start], ends[:, 0]])
+
+
+def _compare(
+    device: Device, witnesses: Witnesses, course: Course, angle: Array, means: Array
+) -> Replay:
+    simulated = np.concatenate([[course.start], angle])
     return Replay(
         residuals=witnesses.forces - means[:, :2],
         motion=Motion(
@@ -150,7 +193,7 @@ def replay(fmu: GyroFmu, device: Device, witnesses: Witnesses, course: Course) -
             course.temperature,
             _compute_heating(course, device, witnesses.interval),
         ),
-        following=_correct(course, device, witnesses, ends[:, 0], means[:, 2]),
+        following=_correct(course, device, witnesses, angle, means[:, 2]),
     )
 
 

@@ -1,13 +1,15 @@
 """Sensitivities of a gyro's channels and of its output to its mechanisms, from the FMU.
 
 A channel of a gyro whose pattern stands at th while the case turns at W and a virtual rotation V is
-commanded is a series over the pattern angle, for each of the motions 1, W, W^2, V, V^2
-(docs/methods/witness.md, Eq. 2). Its coefficients are fitted to simulations of `HRGSlow` in which
-the pattern turns through half a turn; sensitivities are differences of two devices.
+commanded is a series over the pattern angle, for each of the motions 1, W, W^2, V, V^2 and each
+power of the temperature (docs/methods/witness.md, Eq. 2). Its coefficients are fitted to
+simulations of `HRGSlow` in which the pattern turns through half a turn; sensitivities are
+differences of two devices.
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -16,8 +18,8 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
-from pyhrg.fmu import GyroFmu
-from pyhrg.witness.mechanisms import COUNT, MECHANISMS, SIGNALS
+from pyhrg.fmu import GyroFmu, record_together
+from pyhrg.witness.mechanisms import COUNT, HEATING, MECHANISMS, THERMAL
 
 HARMONICS = (2, 4, 6, 8)
 TERMS = 1 + 2 * len(HARMONICS)
@@ -27,36 +29,39 @@ MOTIONS = 5
 FORCES = ("amplitudeForce", "quadratureForce")
 """Outputs of the FMU that witness the mechanisms. Amplitude and quadrature are held by their loops,
 and the frequency is the thermometer."""
-SWEEPS = ((1 * DEG, 0.0), (-1 * DEG, 0.0), (5 * DEG, 0.0), (-5 * DEG, 0.0), (0.0, 5 * DEG),
+POWERS = 3
+"""Number of powers of the temperature: 0 to 2."""
+RISES = (0.0, 7.5, 15.0)
+"""Temperatures above the reference of the simulations, K. Chosen: a product of two thermal
+coefficients of 0.3 % is then interpolated to 1e-5 at 20 K."""
+SWEEPS = ((2 * DEG, 0.0), (-2 * DEG, 0.0), (5 * DEG, 0.0), (-5 * DEG, 0.0), (0.0, 5 * DEG),
           (0.0, -5 * DEG))  # fmt: skip
 """Rates of the case and virtual rotations of the simulations, rad/s. Chosen: two rates separate W
 from W^2."""
 SAMPLE_PERIOD = 0.02
 """Sample period of the FMU, s. Chosen: its loops then lag by 0.06 s, as loops of 33 rad/s do."""
-STEPS = 5
-"""Number of communication steps in a row of a simulation. Chosen: the pattern turns by 0.14 deg."""
+ROW_ANGLE = 0.14 * DEG
+"""Turn of the pattern in a row of a simulation, rad. Chosen."""
 SOAKED_LAG = 1.0
 """Thermal lag of the simulated gyro, s, the shortest that the FMU takes."""
 SETTLING = 16.0
 """Time that is left out of each simulation until loops and temperature are at rest, s. Chosen: 16
 thermal lags."""
-WARMTH = 10.0
-"""Temperature above the reference at which thermal mechanisms are simulated, K. Chosen."""
-HEATING = 0.01
+HEATING_RATE = 0.01
 """Rate of the case's temperature at which mechanisms that act by it are simulated, K/s. Chosen."""
 ISOLATED_LAG = 1e6
 """Thermal lag of a gyro whose resonator stays cool while its case heats, s."""
-NOISE_DURATION = 4000
-"""Number of seconds of simulated noise. Chosen: levels are known to 1.1 %."""
+NOISE_PERIOD, NOISE_DURATION = 0.1, 20_000
+"""Sample period and duration of simulated noise, s. Chosen: levels are known to 1.5 %."""
 
 
 @dataclass(frozen=True)
 class Responses:
     """Sensitivities of one gyro.
 
-    forces: (COUNT, 2, MOTIONS, TERMS) of amplitude and quadrature force, 1/s per unit of each
-    mechanism and of its signal, per power of the motion's rate;
-    output: (COUNT, MOTIONS, TERMS) of the output rate, rad/s, likewise;
+    forces: (COUNT, 2, POWERS, MOTIONS, TERMS) of amplitude and quadrature force, 1/s per unit of
+    each mechanism and of its signal, per power of the temperature and of the motion's rate;
+    output: (COUNT, POWERS, MOTIONS, TERMS) of the output rate, rad/s, likewise;
     noise: (2,) white noise of the forces, 1/s in one second's mean.
     """
 
@@ -108,54 +113,91 @@ def evaluate_angles(angle: Array) -> Array:
 
 
 def evaluate_motion(motion: Motion) -> Array:
-    """(n, MOTIONS, TERMS) products of the motions' powers and the terms over the pattern angle."""
-    w, v = motion.rate, motion.virtual_rotation
-    powers = np.stack([np.ones_like(w), w, w * w, v, v * v], axis=-1)
-    return np.asarray(powers[:, :, None] * evaluate_angles(motion.angle)[:, None, :])
+    """(n, POWERS, MOTIONS, TERMS) products of powers of the temperature, powers of the motion, and
+    terms over the pattern angle."""
+    warmth = np.vander(motion.temperature, POWERS, increasing=True)
+    cool = _evaluate_cool(motion.angle, motion.rate, motion.virtual_rotation)
+    return np.asarray(warmth[:, :, None, None] * cool[:, None])
+
+
+def _evaluate_cool(angle: Array, rate: Array, rotation: Array) -> Array:
+    """(n, MOTIONS, TERMS) the same at the reference temperature."""
+    moved = np.stack([np.ones_like(rate), rate, rate**2, rotation, rotation**2], axis=-1)
+    return np.asarray(moved[:, :, None] * evaluate_angles(angle)[:, None, :])
 
 
 def compute_design(sensitivities: Array, motion: Motion) -> Array:
     """(n, channels, COUNT) change of each channel in each row per unit of each mechanism.
 
-    sensitivities: (COUNT, channels, MOTIONS, TERMS).
+    sensitivities: (COUNT, channels, POWERS, MOTIONS, TERMS).
     """
     count, channels = sensitivities.shape[:2]
     flat = sensitivities.reshape(count * channels, -1)
     rows = evaluate_motion(motion).reshape(len(motion.angle), -1) @ flat.T
     design = np.moveaxis(rows.reshape(-1, count, channels), 1, 2)
-    design[:, :, SIGNALS == "temperature"] *= motion.temperature[:, None, None]
-    design[:, :, SIGNALS == "heating"] *= motion.heating[:, None, None]
+    design[:, :, HEATING] *= motion.heating[:, None, None]
     return design
 
 
-def measure_responses(fmu: GyroFmu, device: Device) -> Responses:
-    """Sensitivities of a gyro to all mechanisms, and the noise of its forces.
+def measure_responses(fmu: GyroFmu, device: Device, noise: Array | None = None) -> Responses:
+    """Sensitivities of a gyro to all mechanisms, linear in the temperature, and the noise of its
+    forces.
+
+    fmu: `HRGSlow`; noise: (2,) of the forces, where it is known.
+    """
+    quiet = device.without_noise()
+    cool, warm, heated = Chamber(), Chamber(rise=RISES[-1]), Chamber(rate=HEATING_RATE)
+    cases = [(quiet, cool), (quiet, warm), (quiet, heated)]
+    chambers: list[list[Chamber]] = []
+    for place, mechanism in enumerate(MECHANISMS):
+        acting = [heated] if HEATING[place] else [warm] if THERMAL[place] else [cool, warm]
+        chambers.append(acting)
+        changed = mechanism.add(quiet, mechanism.step)
+        cases += [(changed, each) for each in acting]
+    unchanged, changed_channels = np.split(_fit_channels(fmu, cases), [3])
+    base = dict(zip((cool, warm, heated), unchanged, strict=True))
+    changes, fitted = np.zeros((COUNT, 3, POWERS, MOTIONS, TERMS)), iter(changed_channels)
+    for place, (mechanism, acting) in enumerate(zip(MECHANISMS, chambers, strict=True)):
+        by_chamber = {each: (next(fitted) - base[each]) / mechanism.step for each in acting}
+        at_rest = np.zeros((3, MOTIONS, TERMS))
+        if heated in by_chamber:
+            changes[place, :, 0] = by_chamber[heated] / HEATING_RATE
+        else:
+            at_rest = by_chamber.get(cool, at_rest)
+            changes[place, :, 0] = at_rest
+            changes[place, :, 1] = (by_chamber[warm] - at_rest) / RISES[-1]
+    noise = measure_noise(fmu, device) if noise is None else noise
+    return Responses(changes[:, :2], changes[:, 2], noise)
+
+
+def measure_channels(fmu: GyroFmu, devices: Sequence[Device]) -> Array:
+    """(d, 3, POWERS, MOTIONS, TERMS) coefficients of amplitude force, quadrature force and output
+    rate of devices without noise, by the powers of the temperature above the reference.
 
     fmu: `HRGSlow`.
     """
-    quiet = device.without_noise()
-    sizes = {"one": 1.0, "temperature": WARMTH, "heating": HEATING}
-    chambers = {
-        "one": Chamber(),
-        "temperature": Chamber(rise=WARMTH),
-        "heating": Chamber(rate=HEATING),
-    }
-    unchanged = {name: _fit_channels(fmu, quiet, chamber) for name, chamber in chambers.items()}
-    changes = np.empty((COUNT, *unchanged["one"].shape))
-    for place, mechanism in enumerate(MECHANISMS):
-        signal, changed = mechanism.signal, mechanism.add(quiet, mechanism.step)
-        difference = _fit_channels(fmu, changed, chambers[signal]) - unchanged[signal]
-        changes[place] = difference / (mechanism.step * sizes[signal])
-    return Responses(changes[:, :2], changes[:, 2], measure_noise(fmu, device))
+    cases = [(device, Chamber(rise=rise)) for device in devices for rise in RISES]
+    fitted = _fit_channels(fmu, cases)
+    at_rises = fitted.reshape(len(devices), POWERS, *fitted.shape[1:])
+    to_powers = np.linalg.inv(np.vander(RISES, POWERS, increasing=True))
+    return np.asarray(np.einsum("pr,drcmt->dcpmt", to_powers, at_rises))
 
 
 def measure_noise(fmu: GyroFmu, device: Device) -> Array:
-    """(2,) standard deviation of one second's mean of each force of a gyro at rest, 1/s."""
-    steps = 10
-    with fmu.power_on(_list_parameters(device, Chamber(), 0.1), 1, 0.0) as gyro:
+    """(2,) white noise of each force of a gyro at rest, as the standard deviation of one second's
+    mean, 1/s.
+
+    Half the mean square difference of neighbouring means over T is a/T + c/T^2 with white noise a;
+    the rest, by the lag of the loops, differs between means of 1 and 5 s.
+    """
+    steps = round(1 / NOISE_PERIOD)
+    with fmu.power_on(_list_parameters(device, Chamber(), NOISE_PERIOD), 1, 0.0) as gyro:
         moving = {"angularRate": np.zeros((NOISE_DURATION, steps))}
-        _, means = gyro.record(moving, {}, 0.1, [], FORCES)
-    return np.asarray(np.std(np.diff(means[10:], axis=0), axis=0) / math.sqrt(2))
+        _, means = gyro.record(moving, {}, NOISE_PERIOD, [], FORCES)
+    short = means[10:]
+    long = short[: len(short) // 5 * 5].reshape(-1, 5, len(FORCES)).mean(axis=1)
+    at_1, at_5 = (np.var(np.diff(each, axis=0), axis=0) / 2 for each in (short, long))
+    return np.sqrt(np.maximum((25 * at_5 - at_1) / 4, 0.0))
 
 
 def measure_output(fmu: GyroFmu, device: Device, rise: float) -> Array:
@@ -164,43 +206,60 @@ def measure_output(fmu: GyroFmu, device: Device, rise: float) -> Array:
 
     fmu: `HRGSlow`.
     """
-    return np.asarray(_fit_channels(fmu, device.without_noise(), Chamber(rise=rise))[2, :2].ravel())
+    (channels,) = _fit_channels(fmu, [(device.without_noise(), Chamber(rise=rise))])
+    return np.asarray(channels[2, :2].ravel())
 
 
-def _fit_channels(fmu: GyroFmu, device: Device, chamber: Chamber) -> Array:
-    """(3, MOTIONS, TERMS) coefficients of amplitude force, quadrature force and output rate."""
-    rows, values = zip(*_sweep(fmu, device, chamber), strict=True)
-    design, channels = np.concatenate(rows), np.concatenate(values)
-    scale = np.sqrt(np.mean(design**2, axis=0))
-    kept = scale > 0
-    fitted = np.linalg.lstsq(design[:, kept] / scale[kept], channels, rcond=None)[0]
-    coefficients = np.zeros((design.shape[1], 3))
-    coefficients[kept] = fitted / scale[kept, None]
-    return np.asarray(coefficients.T.reshape(3, MOTIONS, TERMS))
+def _fit_channels(fmu: GyroFmu, cases: Sequence[tuple[Device, Chamber]]) -> Array:
+    """(c, 3, MOTIONS, TERMS) coefficients of amplitude force, quadrature force and output rate."""
+    sweeps = [_sweep(fmu, cases, *each) for each in SWEEPS]
+    fits = []
+    for parts in zip(*sweeps, strict=True):
+        design = np.concatenate([rows for rows, _ in parts])
+        channels = np.concatenate([values for _, values in parts])
+        scale = np.sqrt(np.mean(design**2, axis=0))
+        scaled = design / scale
+        fitted = np.linalg.solve(scaled.T @ scaled, scaled.T @ channels) / scale[:, None]
+        fits.append(fitted.T.reshape(3, MOTIONS, TERMS))
+    return np.array(fits)
 
 
-def _sweep(fmu: GyroFmu, device: Device, chamber: Chamber) -> Iterator[tuple[Array, Array]]:
-    """Rows of the fit and the channels, of each simulation."""
-    interval = STEPS * SAMPLE_PERIOD
-    skipped = round(SETTLING / interval)
-    for rate, rotation in SWEEPS:
-        turning = device.bryan_factor * (abs(rate) + abs(rotation))
-        count = skipped + math.ceil(math.pi / turning / interval)
-        time = SAMPLE_PERIOD * np.arange(count * STEPS).reshape(count, STEPS)
-        case = device.reference_temperature + chamber.rate * time
-        moving = {"angularRate": np.full((count, STEPS), rate), "caseTemperature": case}
-        held = {"virtualRotation": np.full(count, rotation)}
-        with fmu.power_on(_list_parameters(device, chamber, SAMPLE_PERIOD), 0, 0.0) as gyro:
-            names = ["gyroAngle", "patternAngle"]
-            ends, means = gyro.record(moving, held, SAMPLE_PERIOD, names, FORCES)
-        output = np.diff(ends[skipped - 1 :, 0]) / interval - rate
-        angle = 0.5 * (ends[skipped:, 1] + ends[skipped - 1 : -1, 1])
-        every = np.ones_like(angle)
-        motion = Motion(interval, angle, rate * every, rotation * every, 0 * every, 0 * every)
-        yield (
-            evaluate_motion(motion).reshape(len(angle), -1),
-            np.column_stack([means[skipped:], output]),
-        )
+def _sweep(
+    fmu: GyroFmu, cases: Sequence[tuple[Device, Chamber]], rate: float, rotation: float
+) -> list[tuple[Array, Array]]:
+    """Rows of the fit and the channels of each case, while it turns at a rate or virtually."""
+    turning = cases[0][0].bryan_factor * (abs(rate) + abs(rotation))
+    steps = round(ROW_ANGLE / turning / SAMPLE_PERIOD)
+    interval = steps * SAMPLE_PERIOD
+    skipped = math.ceil(SETTLING / interval)
+    count = skipped + math.ceil(math.pi / turning / interval)
+    time = SAMPLE_PERIOD * np.arange(count * steps).reshape(count, steps)
+    moving = [
+        {
+            "angularRate": np.full((count, steps), rate),
+            "caseTemperature": device.reference_temperature + chamber.rate * time,
+        }
+        for device, chamber in cases
+    ]
+    held = [{"virtualRotation": np.full(count, rotation)}] * len(cases)
+    with ExitStack() as stack:
+        gyros = [
+            stack.enter_context(fmu.power_on(_list_parameters(*each, SAMPLE_PERIOD), 0, 0.0))
+            for each in cases
+        ]
+        names = ["gyroAngle", "patternAngle"]
+        recorded = record_together(gyros, moving, held, SAMPLE_PERIOD, names, FORCES)
+    return [_list_rows(*each, interval, skipped, rate, rotation) for each in recorded]
+
+
+def _list_rows(
+    ends: Array, means: Array, interval: float, skipped: int, rate: float, rotation: float
+) -> tuple[Array, Array]:
+    output = np.diff(ends[skipped - 1 :, 0]) / interval - rate
+    angle = 0.5 * (ends[skipped:, 1] + ends[skipped - 1 : -1, 1])
+    every = np.ones_like(angle)
+    rows = _evaluate_cool(angle, rate * every, rotation * every).reshape(len(angle), -1)
+    return rows, np.column_stack([means[skipped:], output])
 
 
 def _list_parameters(device: Device, chamber: Chamber, period: float) -> dict[str, float]:

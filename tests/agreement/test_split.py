@@ -11,6 +11,7 @@ from tests.fmu_build.importer import Importer
 
 PERIOD = 1e-3
 FORCE, READING = ([f"{name}[{i}]" for i in (1, 2, 3, 4)] for name in ("force", "reading"))
+COMMANDS = [*FORCE, "reference", "commandedRate", "isHeld"]
 OUTPUTS = ["gyroAngle", "gyroRate", "amplitude", "quadrature", "quadratureForce", "valid"]
 SHARED = {
     "seed": 7,
@@ -23,7 +24,9 @@ SHARED = {
 PLANT = {
     "resonator.material.dampingAnisotropy": 1e-5,
     "resonator.material.frequencySplit": 0.05,
+    "ring.eccentricity": 0.02,
     "pickOff.gainMismatch": 1e-3,
+    "pickOff.samplingSkew": 1e-5,
     "pickOff.feedthrough": 1e-4,
     "drive.nonOrthogonality": 2e-3,
 }
@@ -64,7 +67,7 @@ def test_resonator_and_electronics_are_the_gyro(gyros: list[Importer]) -> None:
         whole.set(motion | command)
         plant.set(motion)
         electronics.set(command)
-        hand_on(electronics, plant, [*FORCE, "reference"])
+        hand_on(electronics, plant, COMMANDS)
         whole.slave.doStep(k * PERIOD, PERIOD)
         plant.slave.doStep(k * PERIOD, PERIOD)
         hand_on(plant, electronics, READING)
@@ -72,3 +75,11 @@ def test_resonator_and_electronics_are_the_gyro(gyros: list[Importer]) -> None:
         assert electronics.get(OUTPUTS) == whole.get(OUTPUTS), k
     assert abs(whole.get(["gyroAngle"])[0] - 0.3 * 1.2) < 0.01
     assert whole.get(["valid"]) == [0.0]
+
+
+def test_both_have_the_gyros_parameters(gyros: list[Importer]) -> None:
+    whole, *halves = (
+        {n for n, v in each.variables.items() if v.causality == "parameter"} for each in gyros
+    )
+    assert whole <= set.union(*halves)
+    assert set.union(*halves) - whole <= {"authority", "startForce", "bryanFactor", "frequency"}

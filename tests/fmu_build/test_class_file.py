@@ -6,6 +6,7 @@ import fmpy
 import pytest
 
 from fmu_build import BuildError, build_fmu
+from pyhrg.common.errors import HrgError
 
 TEXT = """model tilted "A gyro with a bias"
   extends HRG.Interfaces.PartialGyro;
@@ -52,3 +53,35 @@ def test_a_file_that_is_no_class_is_refused(tmp_path: Path, name: str) -> None:
         (tmp_path / name).write_text("model M end M;")
     with pytest.raises(BuildError, match=r"class file: .*expected"):
         build_fmu(class_file=tmp_path / name)
+
+
+GYRO = 'model X "{description}" extends HRG.Gyroscopes.HRGEnvelope; {body} end X;'
+TAKES_ALL_MEMORY = "Real a[1000000000]; equation a = ones(1000000000);"
+LOOP = "Real p = q; Real q = p;"
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (
+            "model X Real a = " + "(" * 100_000 + "1" + ")" * 100_000 + "; end X;",
+            r"failed \(status -",
+        ),
+        (GYRO.format(description="", body=TAKES_ALL_MEMORY), "status -.*1 GiB"),
+        (GYRO.format(description="", body=LOOP), "no gyro that the generator knows: algebraic"),
+        (GYRO.format(description="", body="Real z = time;"), "with time is not supported"),
+        (
+            GYRO.format(description="", body='parameter String s = "";'),
+            "s: a variable that is text",
+        ),
+        (GYRO.format(description="rings \a", body=""), r"found the character '\\x07'"),
+        ("model X Real x(start = 1); equation der(x) = -x; end X;", "no sample clock"),
+    ],
+    ids=["deep", "memory", "loop", "time", "text", "bell", "no gyro"],
+)
+def test_a_class_that_cannot_be_built_is_refused(tmp_path: Path, text: str, message: str) -> None:
+    """In one line, whatever the Modelica compiler does."""
+    file = tmp_path / "X.mo"
+    file.write_text(text)
+    with pytest.raises(HrgError, match=message):
+        build_fmu(class_file=file)

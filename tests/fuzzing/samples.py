@@ -1,42 +1,33 @@
-"""A right input of every format, and what reads it."""
+"""A right input of every format, and what reads it; those of results are in `results.py`."""
 
-import json
 import tempfile
 from collections.abc import Callable
-from dataclasses import asdict, dataclass, replace
-from functools import cached_property
 from importlib import resources
 from pathlib import Path
 from unittest.mock import patch
 
 import numpy as np
-import pandas as pd
 
 import ins_eval
 import pyhrg
 from fmu_build.bundle import build_fmu
 from fmu_build.check import report
 from ins_eval.imu.specification import load_imu
-from ins_eval.study.study_data import read_study_data
-from ins_eval.study.summary.text import summarize
 from ins_eval.trajectories.catalogue import load_trajectory
-from pyhrg.challenge.roster import Folder, Settings
 from pyhrg.device.device_file import from_table
 from pyhrg.device.ready_devices import TYPICAL
-from pyhrg.gap.findings.diagnosis import write as write_diagnosis
-from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 from pyhrg.gap.soundness import describe_screening
 from pyhrg.gap.static_record.belief import read_beliefs
 from pyhrg.gap.static_record.record import read_static_record
 from pyhrg.records import read_log, write_log
 from pyhrg.records.campaign import Campaign, Test, read_campaign, write_campaign
-from pyhrg.records.campaign_import import import_campaign
-from tests.fuzzing.mutations import ARCHIVE, BYTES, DOCUMENT, TABLE, Mutation
+from pyhrg.records.campaign_import import draft_mapping, import_campaign
+from tests.fuzzing.mutations import ARCHIVE, BYTES, DOCUMENT, TABLE
+from tests.fuzzing.results import RESULTS
+from tests.fuzzing.sample import Sample
 from tests.ins_eval.imu import logs
 from tests.ins_eval.study import cases
-from tests.ins_eval.study.report.synthetic import synthetic
 from tests.ins_eval.trajectories.test_recorded_drive import make_drive
-from tests.pyhrg.gap.findings.test_diagnosis import GIVEN
 from tests.pyhrg.records.campaign_import import labs
 from tests.pyhrg.records.made_up import made_up_log
 
@@ -52,39 +43,6 @@ PSINS = """\
 34.0 108.0 400.0 0 10.0 9.7964
 0.1 0.1 0.1 10.0 10.0 10.0
 """
-
-
-@dataclass(frozen=True, eq=False)
-class Sample:
-    """A format.
-
-    write: writes a right input into an empty folder.
-    spoilt: the file of it that is spoilt.
-    mutations: how.
-    read: reads the input in that folder.
-    """
-
-    write: Callable[[Path], object]
-    spoilt: str
-    mutations: tuple[Mutation, ...]
-    read: Callable[[Path], object]
-
-    @cached_property
-    def content(self) -> dict[str, bytes]:
-        """Right files by name, made once."""
-        with tempfile.TemporaryDirectory() as name:
-            self.write(Path(name))
-            files = (path for path in Path(name).rglob("*") if path.is_file())
-            return {str(path.relative_to(name)): path.read_bytes() for path in files}
-
-    def put(self, folder: Path, spoilt: bytes | None) -> None:
-        """Put the input into a folder, its spoilt file with these bytes; None: without it."""
-        for name, data in self.content.items():
-            (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            if name != self.spoilt:
-                (folder / name).write_bytes(data)
-            elif spoilt is not None:
-                (folder / name).write_bytes(spoilt)
 
 
 def _copy(package: str, name: str) -> Callable[[Path], object]:
@@ -133,35 +91,6 @@ def _write_psins(folder: Path) -> None:
     )
     text = "".join(" ".join(map(str, row)) + "\n" for row in counts.tolist())
     (folder / "log.txt").write_text(PSINS + text)
-
-
-def _write_study_result(folder: Path) -> None:
-    data = synthetic(12)
-    assert data.conditions
-    pd.concat([data.table, data.conditions.table]).to_parquet(folder / "study.parquet")
-    scores = [
-        {k: None if isinstance(v, float) and np.isnan(v) else v for k, v in asdict(s).items()}
-        for s in [*data.scores, *data.conditions.scores]
-    ]
-    (folder / "study.json").write_text(json.dumps({**data.about, "scores": scores}))
-
-
-def _read_study_result(folder: Path) -> None:
-    summarize(read_study_data(folder))
-    ins_eval.predict_error(folder, "car", fixed_deg_h=0.01, circumference_deg_h=0.02)
-
-
-def _write_challenge(folder: Path) -> None:
-    challenge = Folder(folder)
-    settings = Settings({"none": 1, "single": 1}, 1, 60.0, "ideal")
-    challenge.begin(settings)
-    challenge.publish(settings.cases(), ["0" * 64] * len(settings.cases()))
-
-
-def _read_challenge(folder: Path) -> None:
-    challenge = Folder(folder)
-    settings, published = challenge.begun(), challenge.read_hashes()
-    assert {case.name for case in settings.cases()} | set(published)
 
 
 def _write_fmu(folder: Path) -> None:
@@ -259,16 +188,11 @@ SAMPLES = {
     "PSINS log": Sample(
         _write_psins, "log.txt", TABLE, lambda folder: read_static_record(folder / "log.txt", True)
     ),
-    "diagnosis": Sample(
-        lambda folder: write_diagnosis(replace(GIVEN), folder),
-        *("diagnosis.json", DOCUMENT),
-        read_diagnosis,
+    "log that a mapping is drafted for": Sample(
+        _write_imu, *("log.csv", TABLE), lambda folder: draft_mapping([folder / "log.csv"], folder)
     ),
-    "study's result": Sample(_write_study_result, "study.json", DOCUMENT, _read_study_result),
-    "study's table": Sample(_write_study_result, "study.parquet", BYTES, _read_study_result),
-    "challenge's settings": Sample(_write_challenge, "settings.json", DOCUMENT, _read_challenge),
-    "challenge's index": Sample(_write_challenge, "challenge.json", DOCUMENT, _read_challenge),
     "FMU": Sample(_write_fmu, "HRG.fmu", ARCHIVE, _check_fmu),
+    **RESULTS,
 }
 """Formats by their names."""
 

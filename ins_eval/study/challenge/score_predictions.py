@@ -21,7 +21,7 @@ from ins_eval.study.specification import TEST, TRAIN
 from ins_eval.study.tables import columns
 from ins_eval.study.tables.columns import Predictor
 from pyhrg.common.arrays import Array
-from pyhrg.common.errors import HrgError, describe_briefly
+from pyhrg.common.errors import HrgError, describe_briefly, quote
 from pyhrg.common.pages.svg import format_interval
 from pyhrg.common.reading.documents import parse_csv
 from pyhrg.common.units import NAUTICAL_MILE
@@ -70,14 +70,15 @@ def _read_flight(row: dict[str, str], flights: Collection[Flight], place: str) -
     missions = sorted({name for _, name in flights})
     if mission not in missions:
         expected = " or ".join(missions)
-        raise HrgError(f"{place}: mission: found {mission!r}, expected {expected}")
-    if not text.isdecimal() or (int(text), mission) not in flights:
-        numbers = sorted({triad for triad, _ in flights})
+        raise HrgError(f"{place}: mission: found {quote(mission)}, expected {expected}")
+    judged = {str(triad): triad for triad, name in sorted(flights) if name == mission}
+    if text not in judged:
+        numbers = list(judged)
         raise HrgError(
-            f"{place}: triad: found {text!r}, expected one that is judged, {numbers[0]} to "
+            f"{place}: triad: found {quote(text)}, expected one that is judged, {numbers[0]} to "
             f"{numbers[-1]}"
         )
-    return int(text), mission
+    return judged[text], mission
 
 
 def _read_numbers(row: dict[str, str], place: str) -> tuple[float, ...]:
@@ -89,7 +90,8 @@ def _read_numbers(row: dict[str, str], place: str) -> tuple[float, ...]:
         except ValueError:
             number = math.nan
         if not least <= number < math.inf:
-            raise HrgError(f"{place}: {name}: found {row[name]!r}, expected a number from {below}")
+            found = f"found {quote(row[name])}, expected a number from {below}"
+            raise HrgError(f"{place}: {name}: {found}")
         numbers.append(number)
         least, below = number, f"{name}, {number:g}"
     return tuple(numbers)

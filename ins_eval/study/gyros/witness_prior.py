@@ -10,23 +10,25 @@ from functools import cache
 
 import numpy as np
 
+from fmu_build.bundle import build_fmu
 from ins_eval.error_model.effects import ANGULAR_GAIN
 from ins_eval.mission_model.missions import WARM_UP
 from ins_eval.study.gyros.bench_plan import TABLE_RATE, WARM_RISE, BenchPlan
 from ins_eval.study.gyros.drift import AGEING_SHARE, LARGEST_LEAKAGE, Drift
 from ins_eval.study.gyros.measured_gyro import FLICKER_FLOOR
-from ins_eval.study.gyros.population import BIAS_PER_KELVIN, Population
+from ins_eval.study.gyros.population import BIAS_PER_KELVIN, RAW, Population
 from pyhrg.bench.readings.segments import SEGMENT
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
+from pyhrg.fmu import GyroFmu
 from pyhrg.witness.information import (
     accumulate_information,
     accumulate_output_information,
     compute_posterior,
 )
-from pyhrg.witness.mechanisms import COUNT, SIGNALS, read_values
+from pyhrg.witness.mechanisms import COUNT, HEATING, read_values
 from pyhrg.witness.prior import Prior, compute_turn_on_covariance, make_drift_prior
-from pyhrg.witness.responses import Motion, Responses
+from pyhrg.witness.responses import Motion, Responses, measure_responses
 
 DRAWS = 400
 """Number of gyros by which a population's spread is taken. Chosen: known to 4 %."""
@@ -42,11 +44,26 @@ def make_study_prior(
     responses: of the calibrated device.
     """
     drifted = make_study_drift(device, drift)
-    scatter = compute_turn_on_covariance(device) / plan.runs
+    benched = compute_bench_covariance(responses, device, population, plan)
+    return Prior(drifted.mean, drifted.covariance + benched)
+
+
+def compute_bench_covariance(
+    responses: Responses, device: Device, population: Population, plan: BenchPlan
+) -> Array:
+    """(COUNT, COUNT) covariance of what the bench's records leave unknown of a calibrated gyro,
+    and of the mean of its power-ons."""
     benched = compute_posterior(
         compute_population_covariance(population), measure_bench(responses, device, plan)
     )
-    return Prior(drifted.mean, drifted.covariance + scatter + benched)
+    return benched + compute_turn_on_covariance(device) / plan.runs
+
+
+def widen_prior(prior: Prior, device: Device) -> Prior:
+    """The prior of a device that is known no better than the bench of the study leaves it."""
+    responses = measure_responses(GyroFmu(build_fmu("HRGSlow")), device)
+    benched = compute_bench_covariance(responses, device, RAW, BenchPlan())
+    return Prior(prior.mean, prior.covariance + benched)
 
 
 def make_study_drift(device: Device, drift: Drift) -> Prior:
@@ -54,7 +71,9 @@ def make_study_drift(device: Device, drift: Drift) -> Prior:
     of temperature, which no bench measures."""
     unmeasured = replace(device, bias_per_temperature_rate=0.0)
     heating = BIAS_PER_KELVIN * WARM_UP
-    return make_drift_prior(unmeasured, drift.age, AGEING_SHARE, LARGEST_LEAKAGE, heating)
+    return make_drift_prior(
+        unmeasured, drift.age, AGEING_SHARE, LARGEST_LEAKAGE, heating=heating, cubic=0.0
+    )
 
 
 @cache
@@ -62,7 +81,7 @@ def compute_population_covariance(population: Population) -> Array:
     """(COUNT, COUNT) covariance of the mechanisms of a population, which are uncorrelated, SI."""
     generator = np.random.default_rng(0)
     values = [read_values(population.draw(generator)) for _ in range(DRAWS)]
-    return np.diag(np.where(SIGNALS == "heating", 0.0, np.var(values, axis=0)))
+    return np.diag(np.where(HEATING, 0.0, np.var(values, axis=0)))
 
 
 def measure_bench(responses: Responses, device: Device, plan: BenchPlan) -> Array:

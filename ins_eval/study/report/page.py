@@ -21,8 +21,15 @@ from ins_eval.study.report.figures.parts import make_fold, name_calibration
 from ins_eval.study.report.figures.phase import render_phase_diagram
 from ins_eval.study.report.lead_case import read_lead_case
 from ins_eval.study.report.own_gyro import render_own_gyro
+from ins_eval.study.report.witnesses import make_witness_section
 from ins_eval.study.specification import TEST
-from ins_eval.study.study_data import CONDITIONS_KEY, LEAD_KEY, PHASE_KEY, StudyData
+from ins_eval.study.study_data import (
+    CONDITIONS_KEY,
+    LEAD_KEY,
+    PHASE_KEY,
+    WITNESS_KEY,
+    StudyData,
+)
 from ins_eval.study.tables import columns as c
 from ins_eval.study.tables import score
 from ins_eval.study.tables.columns import COLUMNS
@@ -99,6 +106,7 @@ def make_sections(data: StudyData) -> list[PageSection]:
         PageSection("ranking", "Ranking of gyros", _render_ranking(data)),
         PageSection("coverage", "Intervals and their coverage", _render_coverage(data)),
         PageSection("breaks", "Conditions in which claims fail", render_conditions(data)),
+        *make_witness_section(data),
         PageSection("phase", "Where each test tells the truth", render_phase_diagram(data)),
         PageSection("budget", "Error budget", _render_budget(data)),
         PageSection("control", "Negative control", _render_control(data)),
@@ -167,7 +175,7 @@ def _render_control(data: StudyData) -> str:
 
 
 def _render_method(data: StudyData) -> str:
-    left_out = (CONDITIONS_KEY, LEAD_KEY, PHASE_KEY)
+    left_out = (CONDITIONS_KEY, LEAD_KEY, PHASE_KEY, WITNESS_KEY)
     facts = tuple((k, _format_fact(v)) for k, v in data.about.items() if k not in left_out)
     rows = tuple((column.name, column.unit or "–", column.what) for column in COLUMNS)
     columns = make_wide_table(Table("Columns", ("name", "unit", ""), rows))

@@ -14,6 +14,8 @@ model HRGElectronics "Control electronics of HRGEnvelope, for HRGPlant"
   input Units.Switch driveOn(start = 1, min = 0, max = 1, nominal = 1) "1 with the drive on, 0 off: ring-down";
   output Units.RelativeForce force[4](each nominal = 1e-2) "Commanded force {cos x, sin x, cos y, sin y}, held for a control period";
   output Units.AngularFrequency reference(nominal = 1) "Frequency of the reference less the nominal modal one";
+  output Units.AngularVelocity commandedRate(nominal = 0.1) "Rate of the modal angle that is commanded by virtual rotation";
+  output Units.Switch isHeld(min = 0, max = 1, nominal = 1) "1: the pattern is held; 0: it is free";
   output Units.Angle gyroAngle(nominal = 1) "Measured angle about the input axis since power-on";
   output Units.AngularVelocity gyroRate(nominal = 0.1) "Measured rate over the last control period";
   output Units.Angle patternAngle(nominal = 1) "Detected pattern angle, continuous";
@@ -42,6 +44,8 @@ model HRGElectronics "Control electronics of HRGEnvelope, for HRGPlant"
 equation
   force = controller.force;
   reference = controller.reference;
+  commandedRate = 2*controller.readout.bryanFactor*virtualRotation*driveOn;
+  isHeld = controller.forceToRebalance;
   gyroAngle = controller.readout.gyroAngle;
   gyroRate = controller.readout.gyroRate;
   patternAngle = controller.detector.patternAngle;

@@ -13,9 +13,13 @@ model HRGPlant "Resonator, pick-offs and drives of HRGEnvelope, for electronics 
   input Units.Acceleration vibration(start = 0, min = -1e5, max = 1e5, nominal = 1) "Case vibration at the modal frequency, in phase";
   input Units.RelativeForce force[4](each start = 0, each min = -1e6, each max = 1e6, each nominal = 1e-2) "Force {cos x, sin x, cos y, sin y} that is commanded, held for a control period";
   input Units.AngularFrequency reference(start = 0, min = -1e5, max = 1e5, nominal = 1) "Frequency of the reference less the nominal modal one";
+  input Units.AngularVelocity commandedRate(start = 0, min = -100, max = 100, nominal = 0.1) "Rate of the modal angle that is commanded by virtual rotation";
+  input Units.Switch isHeld(start = 0, min = 0, max = 1, nominal = 1) "1: the pattern is held; 0: it is free";
   output Units.RelativeDisplacement reading[4](each nominal = 1) "Demodulated displacement {cx, sx, cy, sy}, sampled with noise";
+  Electrodes.Ring ring "Electrodes around the shell";
   Resonators.Resonator resonator(
     final thermalPeriod = 1e-2,
+    material(ringErrors = ring.errors),
     startAngle = startAngle,
     startAmplitude = startAmplitude,
     angularRate = angularRate,
@@ -26,18 +30,25 @@ model HRGPlant "Resonator, pick-offs and drives of HRGEnvelope, for electronics 
     reference = reference,
     force = drive.force) "Vibrating shell";
   Electrodes.PickOff pickOff(
+    ringErrors = ring.errors,
     displacement = resonator.displacement,
     force = force,
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
+    gradient = resonator.environment.gradient,
+    age = resonator.environment.age,
+    turning = (1 - isHeld)*(commandedRate - resonator.material.coupling),
+    biasVoltage = biasVoltage,
     noise = noise.displacement) "Pick-offs and demodulation";
   Electrodes.Drive drive(
+    ringErrors = ring.errors,
     command = {
       Electrodes.digitised(force[1], 0, drive.authority),
       Electrodes.digitised(force[2], 0, drive.authority),
       Electrodes.digitised(force[3], 0, drive.authority),
       Electrodes.digitised(force[4], 0, drive.authority)},
     acceleration = {accelerationX, accelerationY, accelerationZ},
+    biasVoltage = biasVoltage,
     temperatureRate = resonator.environment.temperatureRate,
     noise = noise.force) "Drives";
   Noise.ElectronicsNoise noise(
@@ -48,7 +59,8 @@ equation
   reading = pickOff.reading;
   annotation (Documentation(info="<html>
 <p>The parts of <code>HRGEnvelope</code> without its controller. The exchange with the electronics is at 1 kHz: at each
-multiple of 1 ms they read, and command a force and a reference frequency that hold until the next. With
+multiple of 1 ms they read, and command a force and a reference frequency that hold until the next. <code>commandedRate</code> and
+<code>isHeld</code> tell how the pattern turns, for pick-offs that are not sampled at once. With
 <code>HRGElectronics</code> that are stepped after it in each period, it gives the bits of <code>HRGEnvelope</code>.</p>
 </html>"));
 end HRGPlant;

@@ -23,8 +23,8 @@ SETTLE = 2.0
 PERIOD = 90 * DEG
 """Period of the scale-factor map's fourth harmonic in the pattern angle, rad."""
 TURN_TOLERANCE = 5 * ARCSEC
-"""Allowance for the encoder, rad: at a steady rate the turn of a row differs from that of the row
-before by no more than this plus `RATE_TOLERANCE` of itself."""
+"""Allowance for the encoder, rad. The rate is steady where the turns of successive rows differ by
+no more than this plus `RATE_TOLERANCE` of a turn."""
 RATE_TOLERANCE = 0.005
 """Largest relative change of a steady table rate from row to row."""
 WHOLE_PERIOD = 1 - 1e-6

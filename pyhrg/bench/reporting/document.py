@@ -3,7 +3,7 @@
 import json
 import math
 from collections.abc import Mapping
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
@@ -72,37 +72,63 @@ def read_document(path: Path) -> tuple[Outcome, dict[str, float]]:
     document = read_json_table(path)
     stated = document.table("findings")
     specification = document.table("specification")
-    limits = {
-        key: next(
-            specification.table(key).finite_number(side)
-            for side in LIMITS
-            if side in specification.table(key).values
-        )
-        for key in specification.values
-    }
+    limits = {key: _read_limit(specification.table(key)) for key in specification.values}
     outcome = Outcome(
         findings=tuple(
-            _read_finding(stated.table(key), "at_least" in specification.table(key).values)
+            _read_finding(stated, key, "at_least" in specification.table(key).values)
             for key in stated.values
         ),
         verdict=document.text("verdict", None),
         tables=tuple(
             Table(
                 table.text("title", None),
-                tuple(table.values["header"]),
-                tuple(map(tuple, table.values["rows"])),
+                table.texts("header"),
+                _read_rows(table),
             )
             for table in document.tables("tables")
         ),
-        warnings=tuple(document.values["warnings"]),
-        exclusions=tuple(document.values["exclusions"]),
+        warnings=document.texts("warnings"),
+        exclusions=document.texts("exclusions"),
     )
     return outcome, limits
 
 
-def _read_finding(entry: TomlTable, at_least: bool) -> Finding:
+def _read_limit(entry: TomlTable) -> float:
+    return entry.finite_number(next((side for side in LIMITS if side in entry.values), LIMITS[0]))
+
+
+def _read_finding(stated: TomlTable, key: str, at_least: bool) -> Finding:
+    entry = stated.table(key)
     unit = entry.text("unit", None, tuple(UNITS))
-    numbers = [entry.values["value"], *entry.values["interval_95"]]
-    value, low, high = (math.nan if x is None else x * UNITS[unit] for x in numbers)
-    n, note = entry.values["n"], entry.text("note", "")
-    return Finding(entry.text("name", None), value, unit, low, high, n, note, at_least)
+    low, high = _read_bounds(entry)
+    value, low, high = (
+        math.nan if number is None else number * UNITS[unit]
+        for number in (entry.optional_number("value"), low, high)
+    )
+    n, note = entry.whole_number("n", None, 0, math.inf), entry.text("note", "")
+    finding = Finding(entry.text("name", None), value, unit, low, high, n, note, at_least)
+    if finding.key != key:
+        raise entry.error("name", finding.name, f"that of {key}")
+    return finding
+
+
+def _read_bounds(entry: TomlTable) -> tuple[float | None, float | None]:
+    """Bounds of an interval; null where there is none."""
+    bounds = entry.require("interval_95", "[low, high]")
+    if not isinstance(bounds, list) or len(bounds) != 2:
+        raise entry.error("interval_95", bounds, "[low, high]")
+    low, high = (
+        replace(entry, values={"interval_95": bound}).optional_number("interval_95")
+        for bound in bounds
+    )
+    return low, high
+
+
+def _read_rows(table: TomlTable) -> tuple[tuple[str, ...], ...]:
+    """Rows of a printed table, each as long as its header."""
+    rows = table.require("rows", "a list of rows")
+    width = len(table.values["header"])
+    for row in rows if isinstance(rows, list) else [rows]:
+        if not isinstance(row, list) or [type(cell) for cell in row] != [str] * width:
+            raise table.error("rows", row, f"rows of {width} texts")
+    return tuple(map(tuple, rows))

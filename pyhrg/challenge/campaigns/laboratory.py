@@ -50,7 +50,8 @@ class Laboratory:
         frequency = nominal.frequency + self.errors.get("frequency_error", 0.0)
         latitude = nominal.site.latitude + self.errors.get("latitude_error", 0.0)
         site = replace(nominal.site, latitude=latitude)
-        return replace(nominal, frequency=frequency, site=site, **own)
+        tilt = self.errors.get("table_tilt_east", 0.0)
+        return replace(nominal, frequency=frequency, site=site, table_tilt_east=tilt, **own)
 
     def list_beyond(self, nominal: Device) -> tuple[str, ...]:
         """Names of the known parameters that are off by more than their tolerance."""

@@ -122,6 +122,8 @@ def score_figures(cases: Sequence[AnyCase], seed: int) -> list[Figure]:
     answered = list_answered(known + several)
     claims = [list_claims(case) for case in list_answered(none + known + several + outside)]
     ratios = [ratio for ratio in map(find_residual_over_noise, answered) if ratio is not None]
+    areas = [area for area in map(find_areas_over_floor, answered) if area is not None]
+    before, after = ([area[stage] for area in areas] for stage in (0, 1))
     covered = [covered for case in answered for covered in list_coverage(case)]
     removed = [find_removed_share(case) for case in list_answered(outside)]
     shares = [share for share in removed if share is not None]
@@ -146,6 +148,8 @@ def score_figures(cases: Sequence[AnyCase], seed: int) -> list[Figure]:
         score_calibration("calibration error", claims, seed, "at most", 0.05),
         quantile("held-out residual over noise, median", ratios, 0.5, "at most", 1.1),
         quantile("held-out residual over noise, 90 %", ratios, 0.9, "at most", 1.3),
+        quantile("held-out area over its floor, before: median", before, 0.5, "at least", 0.0),
+        quantile("held-out area over its floor, after: median", after, 0.5, "at most", 1.3),
         proportion("next test settles the class", settled, "at least", 0.95),
         proportion("diagnosis refused", list(map(is_refused, cases)), "at most", 0.0),
     ]
@@ -224,6 +228,13 @@ def find_residual_over_noise(case: ScoredCase) -> float | None:
     records."""
     figure, noise = case.diagnosis.gap.holdout_angle_arcsec, case.truth.holdout_noise_arcsec
     return figure.after / noise if figure and figure.after > 0 and noise is not None else None
+
+
+def find_areas_over_floor(case: ScoredCase) -> tuple[float, float] | None:
+    """Area validation metric of the nominal and of the identified device on the held-out tests,
+    over the median of what noise leaves of it."""
+    figure = case.diagnosis.gap.holdout_area_arcsec
+    return (figure.before / figure.floor, figure.after / figure.floor) if figure else None
 
 
 def is_settled(case: ScoredCase) -> bool:

@@ -61,8 +61,8 @@ class NominalTest:
 
 @dataclass(frozen=True)
 class Meter:
-    """Measures the strength of gaps on the inputs of a campaign. No noise is simulated. Loops are
-    settled at all times, but in short tests they are sampled.
+    """Measures the strength of gaps on the inputs of a campaign. No noise is simulated. Short tests
+    are simulated with sampled loops, all others with quasi-steady loops.
 
     A residual is the true gyro's log less a simulation of the nominal device, which gets the inputs
     that the log shows. It is whitened with the true gyro's noise. This noise turns the pattern, so
@@ -73,8 +73,9 @@ class Meter:
     simulation: both fidelities.
     nominal: the nominal device.
     tests: course and start angle, rad, of each test that a diagnosis may fit.
-    laboratories: each with one known parameter that is off by a standard deviation. Strengths count
-        beside these parameters: what they imitate within their tolerances counts as noise.
+    laboratories: one for each parameter that is known within a tolerance, with that parameter off
+        by one standard deviation. What these parameters imitate of a gap within their tolerances
+        counts as noise.
     """
 
     simulation: Simulation

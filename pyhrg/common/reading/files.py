@@ -10,6 +10,7 @@ from typing import BinaryIO
 
 from pyhrg.common.errors import HrgError
 from pyhrg.common.reading.limits import (
+    LINE_BYTES,
     LOG_BYTES,
     check_size,
     compute_expanded_limit,
@@ -70,5 +71,12 @@ def decode(
     data: bytes,
     encoding: str = "utf-8-sig",
 ) -> str:
+    """The text that bytes are; refused where its lines are too long for a log or a document."""
+    lines = data.count(b"\n") + data.count(b"\r") + 1
+    if len(data) > LINE_BYTES * lines:
+        raise HrgError(
+            f"{source}: found lines of {len(data) // lines} bytes on average, expected at most "
+            f"{LINE_BYTES}"
+        )
     with refuse_unreadable(source, f"text in {encoding}"):
         return data.decode(encoding)

@@ -17,6 +17,9 @@ XML_BYTES = 32 * MEBIBYTE
 LOG_BYTES = 512 * MEBIBYTE
 """Largest log, FMU or mission file, unpacked. Chosen: 12 h of an IMU at 200 Hz as text; parsed it
 takes about eight times as much memory. Longer records are split, or stored as Parquet."""
+LINE_BYTES = 2**17
+"""Largest mean length of a text's lines. Chosen: that of a field of Python's CSV reader; a log has
+about a hundred bytes a line."""
 EXPANSION = 100
 """Largest ratio of unpacked to packed bytes. Chosen: logs of constant columns reach about 50, data
 made to fill a memory 1000."""

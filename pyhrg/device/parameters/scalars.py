@@ -151,20 +151,28 @@ class ScalarParameters(ShellParameters):
     thermometer_lag: float = parameter(
         key="thermometer_lag_s",
         limits=(-3600, 3600),
-        known=ToleranceDeclaration("thermometer_lag", "bench", 60.0, 20.0),
+        known=ToleranceDeclaration(
+            "thermometer_lag", "bench", 60.0, 20.0, imitators=("temperature_gradient",)
+        ),
     )
-    """Time constant of the thermometer's reading behind the case, s."""
+    """Time constant of the thermometer's reading behind the case, s. A gradient in the chamber that
+    grows with the temperature's rate does the same."""
     thermometer_gain: float = parameter(
         key="thermometer_gain",
         limits=(-0.5, 0.5),
-        known=ToleranceDeclaration("thermometer_gain", "bench", 0.1, 0.002),
+        known=ToleranceDeclaration(
+            "thermometer_gain", "bench", 0.1, 0.002, imitators=("temperature_gradient",)
+        ),
     )
-    """Change of the reading over the change of the case's temperature, less one."""
+    """Change of the reading over the change of the case's temperature, less one. A gradient in the
+    chamber that grows with its distance from the room's temperature does the same."""
     latitude_error: float = parameter(
         key="latitude_error_deg",
         unit=DEG,
         limits=(-180, 180),
-        known=ToleranceDeclaration("site_latitude", "bench", 0.1 * DEG, 0.01 * DEG),
+        known=ToleranceDeclaration(
+            "site_latitude", "bench", 0.1 * DEG, 0.01 * DEG, imitators=("table_axis_tilt",)
+        ),
     )
     """True less stated latitude of the site, rad. A tilt of the table's axis to the north does the
     same to an upright axis."""
@@ -199,3 +207,13 @@ class ScalarParameters(ShellParameters):
         known=ToleranceDeclaration("clock_rate", "record", 10 * PPM, 1 * PPM),
     )
     """Growth of that time with the time since power-on, s/s."""
+    table_tilt_east: float = parameter(
+        key="table_axis_tilt_east_deg",
+        unit=DEG,
+        limits=(-45, 45),
+        known=ToleranceDeclaration(
+            "table_axis_tilt", "bench", 0.1 * DEG, 0.03 * DEG, imitators=("table_azimuth",)
+        ),
+    )
+    """Tilt of the table's upright axis to the east, rad: an input axis that should be level points
+    below the east by it. An error of the table's azimuth does the same."""

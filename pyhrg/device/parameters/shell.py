@@ -106,6 +106,7 @@ class ShellParameters:
         unit=HZ,
         limits=(-10, 10),
         fmu="resonator.material.electrostaticCubic",
+        effect=EffectDeclaration("electrostatic_cubic", 1e-3 * HZ, ("amplitude", "wave_angle")),
     )
     """Softening of x and of y at unit amplitude of their own by eight electrodes [delta], rad/s."""
     thermal_lag: float = parameter(
@@ -167,7 +168,10 @@ class ShellParameters:
     )
     """x reads x (1 + 3/4 b |x|^2), y alike [b]."""
     sampling_skew: float = parameter(
-        key="sampling_skew_s", limits=(-1e-3, 1e-3), fmu="pickOff.samplingSkew"
+        key="sampling_skew_s",
+        limits=(-1e-3, 1e-3),
+        fmu="pickOff.samplingSkew",
+        effect=EffectDeclaration("sampling_skew", 1e-5, ("rate", "wave_angle")),
     )
     """Time after x at which y is sampled [ts], s."""
     phase_error: float = parameter(

@@ -1,1 +1,1 @@
-"""Step 7: the simulation with what was found, verified on held-out tests."""
+"""Step 8: the simulation with what was found, verified on held-out tests."""

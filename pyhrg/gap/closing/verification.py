@@ -18,6 +18,8 @@ RATE_WINDOW = 100.0
 """Time over which the rate residual is taken, s: the campaign format's."""
 NOISE_DRAWS = 200
 """Number of noise draws that make the floor and its 95 % interval. Chosen."""
+AREA_QUANTILES = 500
+"""Quantiles between which the area of two distributions is summed. Chosen."""
 MAX_LAG = 10
 """Number of lags of the portmanteau test for whiteness, rows. Chosen."""
 
@@ -38,21 +40,28 @@ def compute_gap_figures(
         own = [i for i, t in enumerate(tests) if t.test.is_holdout == is_holdout]
         chosen = [tests[i] for i in own]
         ends = [measure_distance(chosen, [r[i] for i in own]) for r in (before, after)]
-        low, median, high = estimate_noise_floor(chosen, noise, SEED)
-        rows = np.array([*ends, median, low, high]) / (ARCSEC, DEG_PER_H)
-        angle, rate = (GapFigure(b, a, f, (l95, h95)) for b, a, f, l95, h95 in rows.T.tolist())
+        floor = estimate_noise_floor(chosen, noise, SEED)
+        angle, rate = _make_figures([*ends, *floor], [ARCSEC, DEG_PER_H])
         return angle, rate if math.isfinite(rate.before) else None
 
     held_out = [i for i, t in enumerate(tests) if t.test.is_holdout]
     if not held_out:
         return Gap(*figures(False), None, None, None, None)
     angle, rate = figures(True)
-    residuals = [after[i] for i in held_out]
-    whiteness = compute_whiteness([tests[i] for i in held_out], residuals, noise)
+    chosen, residuals = [tests[i] for i in held_out], [after[i] for i in held_out]
+    whiteness = compute_whiteness(chosen, residuals, noise)
+    ends = [np.concatenate([stage[i] for i in held_out]) for stage in (before, after)]
+    (area,) = _make_figures(list(measure_areas(chosen, ends, noise, SEED)), [ARCSEC])
     shrink = None  # docs/methods/verdict.md, Eq. (5); None where there is no excess over the floor
     if angle.before > angle.floor_95[1]:
         shrink = 100 * (angle.before - angle.after) / (angle.before - angle.floor)
-    return Gap(*figures(False), angle, rate, shrink, whiteness)
+    return Gap(*figures(False), angle, rate, shrink, whiteness, area)
+
+
+def _make_figures(rows: Sequence[Array], units: Sequence[float]) -> list[GapFigure]:
+    """Figures by column of (5, m) values before and after, and of three quantiles of the floor."""
+    columns = (np.array(rows) / units).T.tolist()
+    return [GapFigure(b, a, median, (low, high)) for b, a, low, median, high in columns]
 
 
 def measure_distance(tests: Sequence[ObservedTest], residuals: Sequence[Array]) -> Array:
@@ -71,6 +80,32 @@ def estimate_noise_floor(tests: Sequence[ObservedTest], noise: NoiseModel, seed:
         for _ in range(NOISE_DRAWS)
     ]
     return np.asarray(np.quantile(draws, (0.025, 0.5, 0.975), axis=0))
+
+
+def measure_areas(
+    tests: Sequence[ObservedTest], residuals: Sequence[Array], noise: NoiseModel, seed: int
+) -> Array:
+    """(m + 3, 1) area validation metric of m residuals of the output angle in all tests together,
+    rad, and quantiles of 2.5, 50 and 97.5 % of what noise alone would leave.
+
+    The metric is the area between the distribution of a residual's rows and that of the noise, all
+    draws together (S. Ferson, W. L. Oberkampf, L. Ginzburg, 2008; docs/methods/verdict.md,
+    Eq. 11). NaN is left out.
+    """
+    generator = np.random.default_rng(seed)
+    draws = [
+        np.concatenate([_draw_angle(test, noise, generator) for test in tests])
+        for _ in range(NOISE_DRAWS)
+    ]
+    shares = (np.arange(AREA_QUANTILES) + 0.5) / AREA_QUANTILES
+    expected = np.nanquantile(np.concatenate(draws), shares)
+    areas = [
+        float(np.mean(np.abs(np.nanquantile(own, shares) - expected)))
+        for own in (*residuals, *draws)
+    ]
+    count = len(residuals)
+    floor = np.quantile(areas[count:], (0.025, 0.5, 0.975))
+    return np.array([*areas[:count], *floor])[:, None]
 
 
 def compute_whiteness(

@@ -30,6 +30,7 @@ class Effect:
     family: what is wrong: the gyro, a nominal value, the bench or the record.
     tolerance, relative_tolerance: standard deviation of a component about the told value, SI, or
         over the told value if that is larger; 0 for an effect of the gyro.
+    imitators: names of errors of the bench that no test of a gyro can tell from it.
     """
 
     name: str
@@ -39,6 +40,7 @@ class Effect:
     family: Family = "gyro"
     tolerance: float = 0.0
     relative_tolerance: float = 0.0
+    imitators: tuple[str, ...] = ()
 
     @property
     def size(self) -> int:
@@ -131,6 +133,7 @@ KNOWN = tuple(
         k.family,
         k.tolerance,
         k.relative_tolerance,
+        k.imitators,
     )
     for field, declaration in read_declarations(Device).items()
     if (k := declaration.known)

@@ -1,1 +1,1 @@
-"""Step 4: which effects explain the records, with probabilities."""
+"""Step 5: which effects explain the records, with probabilities."""

@@ -1,1 +1,1 @@
-"""Step 5: what a diagnosis says."""
+"""Step 6: what a diagnosis says."""

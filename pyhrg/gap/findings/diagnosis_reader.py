@@ -26,8 +26,6 @@ from pyhrg.gap.findings.values import (
     STAGES,
     parse_interval,
     parse_numbers,
-    parse_optional_number,
-    parse_texts,
 )
 
 
@@ -61,7 +59,7 @@ def _parse(index: TomlTable) -> Diagnosis:
         _parse_gap(index.table("gap")),
         _parse_next_test(index),
         parse_numbers(index.table("unnamed")),
-        parse_texts(index, "excluded"),
+        index.texts("excluded"),
         index.flag("settled", True),
         tuple(map(_parse_known, index.tables("within_tolerance"))),
         _parse_leftover(index.table("material").table("left")),
@@ -82,7 +80,7 @@ def _parse_cause(table: TomlTable) -> Cause:
         table.number("probability", None, 0.0, 1.0),
         parse_numbers(table.table("parameters")),
         {name: parse_interval(intervals, name) for name in intervals.values},
-        parse_texts(table, "equivalents"),
+        table.texts("equivalents"),
         _parse_family(table),
     )
 
@@ -121,13 +119,13 @@ def _parse_size(table: TomlTable) -> Size:
 
 
 def _parse_gap(table: TomlTable) -> Gap:
-    fit_angle, fit_rate, holdout_angle, holdout_rate = (
-        _parse_figure(table, role, unit) for role in ROLES for unit in FIGURE_UNITS
+    (fit_angle, fit_rate, _), (angle, rate, area) = (
+        [_parse_figure(table, role, unit) for unit in FIGURE_UNITS] for role in ROLES
     )
     if fit_angle is None:
         raise table.table("before").table("fit").missing("angle_arcsec", "a number")
-    ends = (parse_optional_number(table, key) for key in ("shrink_percent", "whiteness"))
-    return Gap(fit_angle, fit_rate, holdout_angle, holdout_rate, *ends)
+    shrink, whiteness = (table.optional_number(k) for k in ("shrink_percent", "whiteness"))
+    return Gap(fit_angle, fit_rate, angle, rate, shrink, whiteness, area)
 
 
 def _parse_figure(gap: TomlTable, role: str, unit: str) -> GapFigure | None:

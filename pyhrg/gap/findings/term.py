@@ -8,8 +8,6 @@ from pyhrg.common.toml_table import TomlTable
 from pyhrg.gap.findings.values import (
     parse_interval,
     parse_numbers,
-    parse_optional_number,
-    parse_texts,
 )
 
 Location = Literal[
@@ -60,7 +58,7 @@ def parse_term(table: TomlTable) -> Term:
     intervals = table.table("interval_95")
     return Term(
         cast(Location, table.text("place", None, get_args(Location))),
-        parse_texts(table, "coordinates"),
+        table.texts("coordinates"),
         Formula(formula.text("text", None), formula.text("modelica", None)),
         parse_numbers(table.table("parameters")),
         {name: parse_interval(intervals, name) for name in intervals.values},
@@ -69,5 +67,5 @@ def parse_term(table: TomlTable) -> Term:
         table.text("channel", None),
         table.text("function", None),
         parse_numbers(table.table("rivals")),
-        parse_optional_number(table, "shrink_percent"),
+        table.optional_number("shrink_percent"),
     )

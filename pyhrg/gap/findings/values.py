@@ -11,11 +11,6 @@ def parse_numbers(table: TomlTable) -> dict[str, float]:
     return {name: table.finite_number(name) for name in table.values}
 
 
-def parse_optional_number(table: TomlTable, key: str) -> float | None:
-    """A finite number, or None where there is none."""
-    return None if table.values.get(key) is None else table.finite_number(key)
-
-
 def parse_interval(table: TomlTable, key: str) -> tuple[float, float]:
     """Two numbers in order; an error of the table where they are not."""
     low, high = table.numbers(key, 2, -math.inf, math.inf)
@@ -24,17 +19,9 @@ def parse_interval(table: TomlTable, key: str) -> tuple[float, float]:
     return low, high
 
 
-def parse_texts(table: TomlTable, key: str) -> tuple[str, ...]:
-    """A list of texts."""
-    texts = table.values.get(key)
-    if not isinstance(texts, list) or not all(isinstance(text, str) for text in texts):
-        raise table.error(key, texts, "a list of texts")
-    return tuple(texts)
-
-
 STAGES = ("before", "after", "floor", "floor_95")
 ROLES = ("fit", "holdout")
-FIGURE_UNITS = ("angle_arcsec", "rate_deg_h")
+FIGURE_UNITS = ("angle_arcsec", "rate_deg_h", "area_arcsec")
 
 
 def make_gap_table(gap: dict[str, Any]) -> dict[str, Any]:
@@ -44,7 +31,7 @@ def make_gap_table(gap: dict[str, Any]) -> dict[str, Any]:
             role: {
                 unit: gap[f"{role}_{unit}"][stage]
                 for unit in FIGURE_UNITS
-                if gap[f"{role}_{unit}"] is not None
+                if gap.get(f"{role}_{unit}") is not None
             }
             for role in ROLES
         }

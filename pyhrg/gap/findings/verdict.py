@@ -10,7 +10,7 @@ import numpy as np
 
 from pyhrg.common.arrays import Array
 from pyhrg.common.toml_table import Key
-from pyhrg.gap.effects.catalogue import Effect
+from pyhrg.gap.effects.catalogue import EFFECTS, Effect
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.evidence import find_equivalents
 from pyhrg.gap.evidence.hypothesis import sigma_along
@@ -78,8 +78,19 @@ def reach_verdict(
     elif not causes:
         verdict = "no_gap"
     else:
-        verdict = "ambiguous" if any(c.equivalents for c in causes) else "explained"
+        verdict = "ambiguous" if any(map(_is_confounded, causes)) else "explained"
     return verdict, tuple(causes), unknown
+
+
+def _is_confounded(cause: Cause) -> bool:
+    """Whether another test could name the cause alone: its equivalents are more than the errors of
+    the bench that do the same in every test."""
+    return not set(cause.equivalents) <= set(_list_imitators(cause.effect))
+
+
+def _list_imitators(*names: str) -> tuple[str, ...]:
+    """Errors of the bench that do the same as one of these in every test."""
+    return tuple(other for name in names if name in EFFECTS for other in EFFECTS[name].imitators)
 
 
 def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[Cause]:
@@ -92,13 +103,14 @@ def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[
         others = [e.name for e in find_equivalents(attribution.design, best, effect, effects)]
         others += posterior.equivalents(effect.name)
         others += find_known_equivalents(known, best, nominal, effect, known.effects)
+        imitators = _list_imitators(effect.name, *others)
         causes.append(
             Cause(
                 effect.name,
                 posterior.probability(effect.name, *others),
                 effect.parameters(total),
                 _intervals(effect, total, covariances[effect]),
-                tuple(others),
+                (*others, *(name for name in imitators if name not in others)),
             )
         )
     return causes
@@ -116,6 +128,8 @@ def _find_known_causes(attribution: Attribution, effects: Sequence[Effect]) -> l
             intervals = _intervals(effect, total, covariance)
             values, candidates = effect.parameters(total), (*effects, *known.effects)
             others = find_known_equivalents(known, fitted, nominal, effect, candidates)
+            others = (*others, *_list_imitators(effect.name, *others))
+            others = tuple(dict.fromkeys(others))
             causes.append(Cause(effect.name, probability, values, intervals, others, effect.family))
     return causes
 

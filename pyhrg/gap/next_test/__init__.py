@@ -1,1 +1,1 @@
-"""Step 6: the test that would separate what is still confounded."""
+"""Step 7: the test that would separate what is still confounded."""

@@ -72,7 +72,8 @@ def suggest_next_test(
     simulation: Simulation, attribution: Attribution, hypotheses: Sequence[Rival]
 ) -> NextTest | None:
     """The kind of test that would best separate surviving hypotheses, the most probable first, and
-    for how long; None where there are fewer than two, or where no kind separates any of them."""
+    for how long; None where there are fewer than two, or where no kind separates any of them.
+    `diagnose` then asks `suggest_static_test`, for confounded noises."""
     if len(hypotheses) < 2:
         return None
     kinds = compute_separations(simulation, attribution, hypotheses)

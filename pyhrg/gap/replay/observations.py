@@ -124,7 +124,8 @@ def add_reading_noise(
     rates = np.abs(np.gradient(table, test.log.interval))
     encoder = noise.encoder.value if np.ptp(table) else 0.0
     angle = np.hypot(encoder, noise.jitter * rates)
-    by_channel = {name: np.abs(slope) * angle for name, slope in slopes.items()}
+    pattern = np.hypot(angle, noise.row_jitter.value * rates)
+    by_channel = {name: np.abs(slope) * pattern for name, slope in slopes.items()}
     by_channel["gyro_angle"] = angle
     return replace(test, reading_noise={n: v for n, v in by_channel.items() if v.any()})
 

@@ -33,6 +33,9 @@ SIGNIFICANCE_SIGMA = 4.0
 """A noise counts as present above this many standard errors of its variance. Chosen."""
 MIN_NOISE = 1e-8
 """Noise of an angle below which it counts as none, rad. Chosen."""
+MAX_STRIDE_RATIO = math.sqrt(2)
+"""Variance of the differences of every second row over that of all rows, above which readings move
+and do not jitter. Derived: white noise has 1, a random walk of the table 2."""
 
 
 class Level(NamedTuple):
@@ -51,24 +54,30 @@ class ReadingNoise:
     """White noise of a bench's readings of angles.
 
     encoder: of the table encoder, rad.
-    encoder_jitter, gyro_jitter: of the times at which encoder and gyro are read, s.
+    encoder_jitter, gyro_jitter: of the times at which encoder and gyro are read, each apart from
+        the other, s.
+    reading_jitter: of the time between the two, where the rest hides whose it is, s.
+    row_jitter: of the time of the row, which both share, s.
     """
 
     encoder: Level = NONE
     encoder_jitter: Level = NONE
     gyro_jitter: Level = NONE
+    reading_jitter: Level = NONE
+    row_jitter: Level = NONE
 
     @property
     def jitter(self) -> float:
         """Standard deviation of the time between the two readings of a row, s."""
-        return math.hypot(self.encoder_jitter.value, self.gyro_jitter.value)
+        own = self.encoder_jitter, self.gyro_jitter, self.reading_jitter
+        return math.hypot(*(level.value for level in own))
 
 
 class Variance(NamedTuple):
     """Variance of a reading's noise in rows of about one table rate of one test.
 
-    interval: of the rows, s; square_rate: mean square of the table's rate, rad^2/s^2; value, error:
-    variance, rad^2, and its standard error.
+    interval: of the rows, s; square_rate: mean square of the table's rate, rad^2/s^2, 0 at rest;
+    value, error: variance, rad^2, and its standard error.
     """
 
     interval: float
@@ -77,25 +86,41 @@ class Variance(NamedTuple):
     error: float
 
 
+class Variances(NamedTuple):
+    """Variances in the same rows: of the encoder alone, of the gyro alone, of the two against each
+    other, and of what both share. None where the encoder stands still, which says nothing of its
+    noise, and where what both share is not white."""
+
+    encoder: Variance | None
+    gyro: Variance
+    apart: Variance
+    shared: Variance | None
+
+
 def estimate_reading_noise(logs: Sequence[Log]) -> ReadingNoise:
     """Noise of encoder and times of reading, from all logs of a bench.
 
     Motion appears in encoder and gyro alike. The variance of either one's noise is therefore its
     covariance with the difference of the two. It is constant, or grows with the square of the
-    table's rate: least squares without negative variances tell the two apart.
+    table's rate: least squares without negative variances tell the two apart. What both have in
+    common is jitter of the row where it is white and grows so.
     """
-    pairs = [pair for log in logs for pair in _measure_variances(log)]
-    of_encoder = [own for own, _ in pairs if own]
+    variances = [own for log in logs for own in _measure_variances(log)]
+    of_encoder = [own.encoder for own in variances if own.encoder]
     encoder, encoder_jitter = _fit_levels(of_encoder, by_interval=False)
-    _, gyro_jitter = _fit_levels([own for _, own in pairs], by_interval=True)
-    return ReadingNoise(encoder, encoder_jitter, gyro_jitter)
+    _, gyro_jitter = _fit_levels([own.gyro for own in variances], by_interval=True)
+    _, row_jitter = _fit_levels([own.shared for own in variances if own.shared], by_interval=True)
+    _, reading_jitter = _fit_levels([own.apart for own in variances], by_interval=True)
+    if not row_jitter.value or encoder_jitter.value or gyro_jitter.value:
+        reading_jitter = NONE
+    return ReadingNoise(encoder, encoder_jitter, gyro_jitter, reading_jitter, row_jitter)
 
 
-def _measure_variances(log: Log) -> Iterator[tuple[Variance | None, Variance]]:
-    """Variances of encoder and gyro in the rows of a log, by octaves of the table's rate; None
-    where the encoder stands still, which says nothing of its noise."""
+def _measure_variances(log: Log) -> Iterator[Variances]:
+    """Variances in the rows of a log, by octaves of the table's rate."""
     table, gyro = (np.diff(a, DIFFERENCE_ORDER) for a in (log.table_angle, log.gyro_angle))
     apart = table - gyro
+    wide = _widen(log.table_angle) * _widen(log.gyro_angle)
     turn = log.table_angle[DIFFERENCE_ORDER:] - log.table_angle[:-DIFFERENCE_ORDER]
     rates = np.abs(turn) / (DIFFERENCE_ORDER * log.interval)
     octaves = np.floor(np.log2(np.maximum(rates, REST_RATE) / REST_RATE))
@@ -104,10 +129,34 @@ def _measure_variances(log: Log) -> Iterator[tuple[Variance | None, Variance]]:
         rows = known & (octaves == octave)
         rows[rows] = _is_inlier(table[rows]) & _is_inlier(apart[rows])
         if np.sum(rows) >= MIN_DIFFERENCES:
-            place = log.interval, float(np.mean(rates[rows] ** 2))
-            encoder, own = table[rows] * apart[rows], -gyro[rows] * apart[rows]
-            of_encoder = Variance(*place, *_average(encoder)) if turn[rows].any() else None
-            yield of_encoder, Variance(*place, *_average(own))
+            place = log.interval, float(np.mean(rates[rows] ** 2)) if octave else 0.0
+            of_gyro, both, of_encoder, shared = (
+                Variance(*place, *_average((a * b)[rows]))
+                for a, b in ((-gyro, apart), (apart, apart), (table, apart), (table, gyro))
+            )
+            if not turn[rows].any():
+                yield Variances(None, of_gyro, both, None)
+                continue
+            is_white = _average_most(wide[rows]) < MAX_STRIDE_RATIO * shared.value
+            yield Variances(of_encoder, of_gyro, both, shared if is_white else None)
+
+
+def _average_most(products: Array) -> float:
+    """Variance of the noise, rad^2, from products of differences, a few large ones and NaN left
+    out; infinite of too few."""
+    known = products[np.isfinite(products)]
+    known = known[np.abs(known) <= OUTLIER_SIGMA**2 * np.median(np.abs(known))]
+    return float(np.mean(known)) / VARIANCE_GAIN if len(known) >= MIN_DIFFERENCES else math.inf
+
+
+def _widen(angle: Array) -> Array:
+    """(n - 4,) fourth differences of every second row, about the same rows as those of all rows;
+    NaN at the ends."""
+    wide = np.full(max(len(angle) - DIFFERENCE_ORDER, 0), np.nan)
+    for first in range(2):
+        own = np.diff(angle[first::2], DIFFERENCE_ORDER)
+        wide[first + DIFFERENCE_ORDER // 2 :: 2][: len(own)] = own
+    return wide
 
 
 def _average(products: Array) -> tuple[float, float]:
@@ -188,5 +237,14 @@ def describe_reading_noise(noise: ReadingNoise) -> list[str]:
             sentences.append(
                 f"{column}: scatters by {jitter.value:.2g} s times the table's rate: counts as "
                 "noise of the time of reading"
+            )
+    for level, words in (
+        (noise.reading_jitter, "against each other"),
+        (noise.row_jitter, "together"),
+    ):
+        if level.value:
+            sentences.append(
+                f"time_s: table_angle_deg and gyro_angle_deg scatter {words} by "
+                f"{level.value:.2g} s times the table's rate: counts as noise of the rows' time"
             )
     return sentences

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from scipy.signal import lfilter
 
 from pyhrg.bench.bench import LOOP_OUTPUTS, OUTPUTS_AT_END, compute_earth_rate, record_rows_together
 from pyhrg.bench.programme import HELD_INPUTS, compute_step_middles, interpolate_rows
@@ -198,17 +199,32 @@ def _find_start_angle(device: Device, inputs: ReplayInputs) -> float:
 def correct_temperatures(device: Device, inputs: ReplayInputs) -> Array:
     """(n + 1,) temperatures of the case at the rows' bounds, from the thermometer's readings, K.
 
-    A first-order lag is undone by the slope of the readings."""
-    bounds = np.append(inputs.log.time[0] - inputs.log.interval, inputs.log.time)
-    readings, last = inputs.temperatures, len(bounds) - 1
-    half = max(1, round(SLOPE_TIME / inputs.log.interval))
-    rows = np.arange(len(bounds))
-    low, high = np.maximum(rows - half, 0), np.minimum(rows + half, last)
-    slopes = (readings[high] - readings[low]) / (bounds[high] - bounds[low])
-    readings = readings + device.thermometer_lag * slopes
+    A first-order lag of the thermometer behind the case is undone by the slope of its readings; a
+    negative one is that of the case behind the thermometer."""
+    lag, interval = device.thermometer_lag, inputs.log.interval
+    readings = inputs.temperatures
+    if lag < 0:
+        readings = readings - _find_lag(readings, interval, -lag)
+    else:
+        readings = readings + lag * _find_slopes(readings, interval)
     reference = device.reference_temperature
     change = readings - device.thermometer_offset - reference
     return np.asarray(reference + change / (1 + device.thermometer_gain))
+
+
+def _find_slopes(readings: Array, interval: float) -> Array:
+    """(n,) slopes of readings over `SLOPE_TIME` either way, K/s."""
+    rows, half = np.arange(len(readings)), max(1, round(SLOPE_TIME / interval))
+    low, high = np.maximum(rows - half, 0), np.minimum(rows + half, len(rows) - 1)
+    return np.asarray((readings[high] - readings[low]) / ((high - low) * interval))
+
+
+def _find_lag(readings: Array, interval: float, lag: float) -> Array:
+    """(n,) departure of readings that are linear between rows from what follows them with a
+    first-order lag, s, and has settled at the first."""
+    kept = math.exp(-interval / lag)
+    slopes = np.diff(readings, prepend=readings[0]) / interval
+    return np.asarray(lfilter([lag * (1 - kept)], [1.0, -kept], slopes))
 
 
 def list_read_out_fields(log: Log) -> tuple[str, ...]:

@@ -10,7 +10,11 @@ from pyhrg.gap.report.words import build_table
 
 WIDTH = 240
 """Width of a drawn scale, px."""
-UNITS = {"angle_arcsec": ("output angle", "arcsec"), "rate_deg_h": ("rate over 100 s", "deg/h")}
+UNITS = {
+    "angle_arcsec": ("output angle, rms", "arcsec"),
+    "rate_deg_h": ("rate over 100 s, rms", "deg/h"),
+    "area_arcsec": ("output angle, area between its distribution and the noise's", "arcsec"),
+}
 NOT_VERIFIED = "No test was held out, so the identified gyro is not verified."
 ROLES = {"holdout": "held out", "fit": "fitted"}
 WHITE_P_VALUE = 0.01
@@ -18,12 +22,12 @@ WHITE_P_VALUE = 0.01
 
 
 def build_closing(result: CampaignDiagnosis) -> str:
-    """A table of the root mean squares with drawn scales, and sentences on it."""
+    """A table of the residuals' sizes with drawn scales, and sentences on it."""
     gap = result.diagnosis.gap
     rows = [
         row for unit, (what, name) in UNITS.items() for row in _make_rows(gap, unit, what, name)
     ]
-    header = ("Root mean square", "Tests", "Before", "After", "Noise floor (95 %)", "")
+    header = ("Residual", "Tests", "Before", "After", "Noise floor (95 %)", "")
     title = (
         "Residual of the nominal gyro (before, orange) and of the identified gyro (after, blue); "
         "noise floor grey. Nothing was fitted to held-out tests"
@@ -67,7 +71,7 @@ def compute_reduction_interval(figure: GapFigure) -> tuple[float, float]:
 
 
 def _make_rows(gap: Gap, unit: str, what: str, name: str) -> list[tuple[str, ...]]:
-    figures = {role: getattr(gap, f"{role}_{unit}") for role in ROLES}
+    figures = {role: getattr(gap, f"{role}_{unit}", None) for role in ROLES}
     known = {role: f for role, f in figures.items() if f is not None}
     limits = find_decades([v for f in known.values() for v in (f.before, f.after, *f.floor_95)])
     return [

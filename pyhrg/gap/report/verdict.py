@@ -4,6 +4,7 @@ import textwrap
 
 from pyhrg.common.pages.svg import format_interval, format_number
 from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.effects.catalogue import EFFECTS
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, GapFigure, KnownValue
 from pyhrg.gap.report.closing import describe_closing
 from pyhrg.gap.report.places import sum_shares
@@ -166,6 +167,11 @@ def _say_what_next(diagnosis: Diagnosis) -> list[str]:
         if nearest := find_nearest(term):
             name = f"{nearest[0].name} ({nearest[0].number})"
             sentences.append(f"{name_term(term)} is next to {name}. To tell: {nearest[0].test}.")
+    for cause in diagnosis.causes:
+        if (effect := EFFECTS.get(cause.effect)) and effect.imitators:
+            others = " or ".join(map(format_effect, effect.imitators))
+            name = format_effect(cause.effect)
+            sentences.append(f"No test of a gyro tells {name} from {others}: look at the bench.")
     sentences += [REMEDIES[c.effect] for c in diagnosis.causes if c.effect in REMEDIES]
     if any(c.effect not in REMEDIES for c in diagnosis.causes) or diagnosis.terms:
         sentences.append(USE_TERMS if diagnosis.terms else USE_DEVICE)

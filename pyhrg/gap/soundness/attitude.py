@@ -8,7 +8,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.units import HZ
 from pyhrg.device.device import Device
 from pyhrg.gap.soundness.exclusion import Exclusion, NominalEstimate, exclude_columns
-from pyhrg.records import Log
+from pyhrg.records import Log, LogError
 
 ACCELERATIONS = ("acceleration_x", "acceleration_y", "acceleration_z")
 TURNTABLE_KINDS = (
@@ -32,6 +32,12 @@ COEFFICIENT_TOLERANCE = 0.3
 UNSTATED_COEFFICIENT = 2e-4
 """Temperature coefficient of the frequency that is allowed for where none is stated, 1/K. Chosen:
 about twice that of fused silica, 8.5e-5."""
+
+MAX_UNSEEN_WARMING = 1.0
+"""Change of temperature by the loop's frequency up to which a log without a temperature is taken
+for one of a gyro at rest, K. Chosen."""
+UNSEEN_SHARE = 0.01
+"""Share of rows at either end of the frequency's range that may be wrong. Chosen."""
 
 
 def check_attitude(log: Log, kind: str, nominal: Device) -> list[Exclusion]:
@@ -69,6 +75,25 @@ def check_temperature(log: Log, nominal: Device) -> list[Exclusion]:
     trouble = f"{change:+.3g} K from the reference, but the loop's frequency is off by "
     trouble += f"{offset * hertz:.3g} Hz; expected {expected * hertz:.3g} Hz: is the unit degC?"
     return [exclude_columns(log, ("temperature",), trouble)]
+
+
+def require_steady_temperature(log: Log, nominal: Device) -> None:
+    """Refuse a log without a temperature whose loop frequency shows that it changed.
+
+    Raises:
+        LogError: the frequency's range is that of more than `MAX_UNSEEN_WARMING`.
+    """
+    if log.has_values("temperature") or not nominal.frequency_per_kelvin:
+        return
+    if not log.has_values("frequency_offset"):
+        return
+    low, high = np.nanquantile(log.frequency_offset, (UNSEEN_SHARE, 1 - UNSEEN_SHARE))
+    change = float(high - low) / nominal.frequency / abs(nominal.frequency_per_kelvin)
+    if change > MAX_UNSEEN_WARMING:
+        raise LogError(
+            f"{log.source}: temperature_degC: missing, and the loop's frequency changes as over "
+            f"{change:.3g} K; expected at most {MAX_UNSEEN_WARMING:g}"
+        )
 
 
 def estimate_frequency(log: Log, nominal: Device) -> list[NominalEstimate]:

@@ -27,7 +27,7 @@ class Exclusion:
 class NominalEstimate:
     """Estimate of a nominal value from one field of a log, with the range that effects can explain.
 
-    key: of `nominal`; nominal, found, low and high are in its unit.
+    key: key in the campaign's table `nominal`; nominal, found, low and high are in its unit.
     """
 
     key: str

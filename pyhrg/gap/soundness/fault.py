@@ -46,6 +46,10 @@ ENCODER_JITTER = FaultKind("time_jitter", "record", "encoder_jitter_s", 2e-5)
 """Standard deviation of the time at which the table encoder is read, about the rows' ends."""
 GYRO_JITTER = FaultKind("time_jitter", "record", "gyro_jitter_s", 2e-5)
 """Standard deviation of the time at which the gyro's angle is read, about the rows' ends."""
+READING_JITTER = FaultKind("time_jitter", "record", "reading_jitter_s", 2e-5)
+"""Standard deviation of the time between the two, where it is hidden whose it is."""
+ROW_JITTER = FaultKind("time_jitter", "record", "row_jitter_s", 2e-5)
+"""Standard deviation of the time at which all of a row is read, about the rows' ends."""
 LOST_ROWS = FaultKind("lost_rows", "record", "lost_rows_percent", 1.0)
 """Share of rows that are missing between the first and the last one."""
 OUTLIERS = FaultKind("outliers", "record", "outliers_percent", 0.3)
@@ -58,7 +62,8 @@ eccentric encoder, a known parameter."""
 FAULT_KINDS = (
     *TABLE_RIPPLES.values(),
     *(TABLE_SIGN, AXIS_SIGN, DRIVE_INTERRUPTION, ENCODER_NOISE),
-    *(ENCODER_JITTER, GYRO_JITTER, LOST_ROWS, OUTLIERS),
+    *(ENCODER_JITTER, GYRO_JITTER, READING_JITTER, ROW_JITTER),
+    *(LOST_ROWS, OUTLIERS),
 )
 """All kinds of faults."""
 FAULT_NAMES = tuple(dict.fromkeys(kind.name for kind in FAULT_KINDS))
@@ -125,5 +130,7 @@ def list_reading_faults(noise: ReadingNoise) -> list[Fault]:
         (ENCODER_NOISE, noise.encoder, ARCSEC),
         (ENCODER_JITTER, noise.encoder_jitter, 1.0),
         (GYRO_JITTER, noise.gyro_jitter, 1.0),
+        (READING_JITTER, noise.reading_jitter, 1.0),
+        (ROW_JITTER, noise.row_jitter, 1.0),
     ]
     return [Fault(kind, v / unit, s / unit) for kind, (v, s), unit in levels if v]

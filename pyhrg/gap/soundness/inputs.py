@@ -58,6 +58,8 @@ def complete_inputs(log: Log, nominal: Device) -> CompleteInputs:
         log = replace_columns(log, {c.field: getattr(log, c.field)[:cut] for c in COLUMNS})
         missing = missing[:cut]
     known = np.flatnonzero(~missing)
+    if trouble and len(known) < 2:
+        raise LogError(f"{trouble}; no row is left")
     if len(known) < (1 - MAX_MISSING) * len(missing) or len(known) < 2:
         raise LogError(
             f"{log.source}: {np.sum(missing)} of {len(missing)} rows missing; expected at most "

@@ -12,7 +12,12 @@ from pyhrg.device.device import Device
 from pyhrg.device.device_file import from_table
 from pyhrg.device.keys import KEYS
 from pyhrg.gap.soundness.angles import check_angles, estimate_bryan_factor, find_column_orders
-from pyhrg.gap.soundness.attitude import check_attitude, check_temperature, estimate_frequency
+from pyhrg.gap.soundness.attitude import (
+    check_attitude,
+    check_temperature,
+    estimate_frequency,
+    require_steady_temperature,
+)
 from pyhrg.gap.soundness.exclusion import (
     Exclusion,
     NominalEstimate,
@@ -240,6 +245,7 @@ def _screen_test(
     changes = [*signs, *mended, *(exclusion.sentence for exclusion in wrong_inputs)]
     wrong_rows = _count_changed_rows(read, log, CONTINUOUS_INPUTS)
     try:
+        require_steady_temperature(log, nominal)
         complete, missing, filled = complete_inputs(apply_exclusions(log, wrong_inputs), nominal)
         log, interrupted = mend_drive(complete, nominal)
     except HrgError as error:

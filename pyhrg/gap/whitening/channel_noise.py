@@ -109,12 +109,12 @@ def estimate_campaign_noise(
     residuals: Sequence[Mapping[str, Array]],
     thermometer_lag: float = 0.0,
 ) -> CampaignNoise:
-    """Noise of all channels: the nominal device's own on its angle, the others' from residuals,
-    (n,) by channel for each test, record less simulation, SI. The simulation undoes
-    `thermometer_lag`, s, which amplifies the thermometer's noise.
+    """Noise of all channels. That of the output angle is the nominal device's stated noise.
 
-    The others are estimated from second differences of residuals, to which a slow signal
-    contributes almost nothing (docs/methods/whitening.md, Eq. 14).
+    That of the other channels is estimated from second differences of residuals, to which a slow
+    signal contributes almost nothing (docs/methods/whitening.md, Eq. 14). Residuals are record less
+    simulation, (n,) by channel for each test, SI. The simulation undoes `thermometer_lag`, s, which
+    amplifies the thermometer's noise.
     """
     white = {name: _estimate_white(name, tests, residuals) for name in REPLAY_RESOLUTION}
     steps = estimate_reading_steps({t.test.id: list_measured_temperatures(t.log) for t in tests})

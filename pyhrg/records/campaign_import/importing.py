@@ -20,7 +20,7 @@ from pyhrg.records.columns import COLUMNS
 from pyhrg.records.log import Log, build_log
 from pyhrg.records.missing_inputs import TURNING_RATE
 from pyhrg.records.table import Table, check_range
-from pyhrg.records.timing import drop_repeated_rows, find_interval
+from pyhrg.records.timing import drop_wrong_rows, find_interval
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ def _import_test(test: TestMapping, mapping: CampaignMapping) -> ImportedTest:
     time = read_times(test.columns.get("time"), cells, test.interval)
     empty = np.full(len(time), np.nan)
     columns: dict[str, Array] = {column.field: empty for column in COLUMNS} | {"time": time}
-    timed = drop_repeated_rows(Table(cells.source, cells.rows, columns))
+    timed = drop_wrong_rows(Table(cells.source, cells.rows, columns))
     # a median time step is written without the rounding of its times
     interval = float(f"{find_interval(timed, test.interval):.9g}")
     for field, column_mapping in test.columns.items():

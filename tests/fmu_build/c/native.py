@@ -59,5 +59,5 @@ def fuzzer(folder: Path, fmi: int, root: str = "HRG") -> Path:
     flags = ["-std=c99", "-O1", "-g", f"-fsanitize={SANITIZERS}", "-fno-sanitize-recover=all"]
     flags += [f"-DFMI={fmi}", "-I.", f"-I{HEADERS}", f"-I{HERE}"]
     sources = [HERE / "fuzz.c", SHELLS[fmi], *SOURCES]
-    run([tool("gcc"), *flags, *sources, "-lm", "-o", "fuzz"], cwd=folder)
+    run([tool("gcc"), *flags, *sources, "-lm", "-o", "fuzz"], seconds=600, cwd=folder)
     return folder / "fuzz"

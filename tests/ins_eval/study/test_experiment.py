@@ -15,6 +15,7 @@ from ins_eval.study.conclusion import FILES, write_conclusion
 from ins_eval.study.experiment import (
     NOISELESS,
     STEADY_LOOPS,
+    WITNESS,
     compute_block,
     prepare,
     select_errors,
@@ -26,6 +27,7 @@ from ins_eval.study.specification import TEST, TRAIN, PlannedMission, Study
 from ins_eval.study.study_data import read_study_data
 from ins_eval.study.tables import columns as c
 from ins_eval.study.tables.score import AGREEMENT, STEADY_AGREEMENT
+from ins_eval.study.witness import block as block_of_channels
 from ins_eval.trajectories import catalogue
 from pyhrg.common.errors import HrgError
 
@@ -143,6 +145,25 @@ def test_phase_diagram_names_the_missions(folder: Path) -> None:
     document = json.loads((folder / "study.json").read_text())["phase_diagram"]
     assert set(document["missions"]) == {"car", "static-table"}
     assert len(document["rows"]) == len(pd.read_csv(folder / "phase_diagram.csv"))
+
+
+def test_witnessed_flights_have_rows_and_scores(arrays: Arrays, tmp_path: Path) -> None:
+    """Made-up channels of two triads, with both kinds of start."""
+    random, numbers, tests = np.random.default_rng(4), [5, 17], len(block_of_channels.TESTS)
+    study = replace(STUDY, witnessed=2, calibrations=("map",), missions=STUDY.missions[:1])
+    made = dict(arrays)
+    for name, shape in block_of_channels.SHAPES.items():
+        values = np.full((STUDY.triads, tests, *shape), np.nan)
+        drawn = random.uniform(1.0, 2.0, values[numbers].shape)
+        values[numbers] = drawn if len(shape) == 1 else drawn * np.eye(2)
+        made[f"map/0/{WITNESS}/{name}"] = values
+    write_conclusion(study, made, tmp_path)
+    rows = pd.read_csv(tmp_path / "witness.csv")
+    assert len(rows) == 2 * tests
+    assert set(rows["triad"]) == set(numbers)
+    scores = json.loads((tmp_path / "study.json").read_text())["witness"]
+    assert {each["mission_class"] for each in scores} == {"all", "car"}
+    assert "What the gyros tell of themselves" in (tmp_path / "report.html").read_text()
 
 
 def test_same_arrays_give_the_same_bytes(arrays: Arrays, folder: Path, tmp_path: Path) -> None:

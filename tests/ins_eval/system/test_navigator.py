@@ -142,6 +142,13 @@ def test_what_comes_before_the_motion_is_left_out_and_what_is_missed_is_seen(fmu
     assert np.all(rows["valid"][52:] == 0)
 
 
+def test_is_an_fmu_of_fmi_3_too() -> None:
+    """A parameter that is 1 or 0 is a Boolean there, and doesn't change."""
+    description = fmpy.read_model_description(str(build_fmu("Navigator", fmi=3)), validate=True)
+    clamped = {v.name: v for v in description.modelVariables}["heightClamped"]
+    assert (clamped.type, clamped.variability, clamped.start) == ("Boolean", "fixed", "true")
+
+
 def test_its_numbers_are_those_of_the_compiled_navigator() -> None:
     """Earth's, and the coefficients of two increments, as the Modelica text has them."""
     assert STRAPDOWN is not None

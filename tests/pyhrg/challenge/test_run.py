@@ -246,6 +246,7 @@ def test_command_prints_the_table(
         ({"workers": 0}, "workers: found 0, expected"),
         ({"data": "none"}, "data: found 'none', expected full, few, short, coarse"),
         ({"strongest": 6.0}, "strongest: found 6, expected above 6"),
+        ({"strongest": 2.0**63}, r"strongest: found 9.22337e\+18, expected above 6, up to 1e\+06"),
     ],
 )
 def test_arguments_out_of_range_are_refused(

@@ -1,5 +1,6 @@
 """The command `hrg` loads what is asked for, and no more."""
 
+import os
 import re
 import subprocess
 import sys
@@ -29,6 +30,18 @@ def loaded_by(statement: str) -> str:
     code = CODE.format(statement=statement, heavy=HEAVY)
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     return run.stdout.splitlines()[-1]
+
+
+def test_another_programs_choice_of_figures_is_not_the_commands() -> None:
+    """As in a notebook, whose shell commands are told its backend."""
+    code = "import sys; from pyhrg.common.cli import main; sys.exit(main(['allan', 'nowhere']))"
+    environment = {**os.environ, "MPLBACKEND": "nowhere"}
+    command = [sys.executable, "-c", code]
+    run = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    assert (run.returncode, run.stderr) == (
+        2,
+        "hrg: nowhere: can't be read: No such file or directory\n",
+    )
 
 
 def test_help_loads_nothing_heavy() -> None:

@@ -54,6 +54,7 @@ CASES = [
     (documents.read_toml, b"a = '\xff'", "found what is no text in utf-8"),
     (read_csv, b"a,b\n1," + b"9" * 200_000, "row 2: found what is no CSV: field larger"),
     (read_csv, b"a,b\n1,2\r3\n", "row 2: found what is no CSV: new-line"),
+    (read_csv, b"a,b\n1," + b"9" * 400_000, "lines of 200003 bytes on average, expected at most"),
     (read_xml, b'<?xml version="1.0" encoding="shift_jis"?><a/>', "multi-byte"),
     (read_xml, b'<?xml version="1.0" encoding="bz2"?><a/>', "found what is no XML"),
     (read_xml, b"<a>", "found what is no XML: no element found"),

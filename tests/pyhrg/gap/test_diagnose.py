@@ -117,6 +117,26 @@ def test_an_effect_is_found_and_closed(simulation: Simulation) -> None:
     assert held.after < held.floor_95[1]
 
 
+@pytest.mark.parametrize(
+    ("name", "value", "alike"),
+    [
+        ("electrostatic_cubic", 2e-3, "duffing_stiffness"),
+        ("sampling_skew", 5e-5, "pickoff_nonorthogonality"),
+    ],
+)
+def test_effects_of_the_electrodes_are_told_from_what_resembles_them(
+    simulation: Simulation, name: str, value: float, alike: str
+) -> None:
+    true = EFFECTS[name].put(NOMINAL, np.array([value]))
+    catalogue = Catalogue((EFFECTS[name], EFFECTS[alike], *FEW))
+    campaign = recorded(simulation.sampled, true)
+    found = diagnose(campaign, catalogue=catalogue, simulation=simulation).diagnosis
+    assert [cause.effect for cause in found.causes] == [name]
+    ((key, (low, high)),) = found.causes[0].interval_95.items()
+    (declared,) = (k for k in EFFECTS[name].keys if k.name == key)
+    assert declared.to_si(low) < value < declared.to_si(high)
+
+
 @dataclass(frozen=True)
 class Shy(Simulation):
     """Refuses the first gyro that is not the believed one."""

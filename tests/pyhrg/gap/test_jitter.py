@@ -20,6 +20,7 @@ COLUMNS = {
     "encoder": {"table_angle": 1.0},
     "gyro": {"gyro_angle": 1.0, "wave_angle": -NOMINAL.bryan_factor},
 }
+COLUMNS["row"] = COLUMNS["encoder"] | COLUMNS["gyro"]
 """Columns that an instrument writes, with their turn per turn of the case."""
 
 

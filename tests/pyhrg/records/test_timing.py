@@ -5,7 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyhrg.records import LogError, read_log
+from pyhrg.records import COLUMNS, LogError, read_log
+from pyhrg.records.table import Table
+from pyhrg.records.timing import drop_wrong_rows
 from tests.pyhrg.records.made_up import Rows, made_up_log, place, spoilt
 
 TIME = place("time_s")
@@ -44,6 +46,32 @@ def test_reversed_time_is_an_error(tmp_path: Path) -> None:
     message = r"log.csv: row 7, time_s: 5 after 6; expected time to increase"
     with pytest.raises(LogError, match=message):
         read_log(spoilt(tmp_path, lambda rows: rows.insert(5, rows.pop(6))))
+
+
+def test_a_few_rows_out_of_order_are_left_out() -> None:
+    """Rows 100 and 101 came the other way round, and rows 300 to 303 with one between: which of
+    them is wrong is not known. A hundred are another recorder's log."""
+    log = made_up_log(2000)
+    columns = {c.field: getattr(log, c.field) for c in COLUMNS}
+    order = np.arange(2000)
+    order[[100, 101]] = order[[101, 100]]
+    order[[300, 303]] = order[[303, 300]]
+    table = Table("log", np.arange(2, 2002), {f: v[order] for f, v in columns.items()})
+    kept = drop_wrong_rows(table)
+    assert kept.notes == ("rows 102-103, 302-305: out of order, left out",)
+    assert np.array_equal(kept.columns["time"], np.delete(log.time, [100, 101, *range(300, 304)]))
+    order[500:600] = order[500:600][::-1]
+    with pytest.raises(LogError, match="expected time to increase"):
+        drop_wrong_rows(Table("log", table.rows, {f: v[order] for f, v in columns.items()}))
+
+
+def test_two_rows_of_one_time_are_left_out() -> None:
+    log = made_up_log(2000)
+    columns = {c.field: getattr(log, c.field).copy() for c in COLUMNS}
+    columns["time"][700] = columns["time"][699]
+    kept = drop_wrong_rows(Table("log", np.arange(2, 2002), columns))
+    assert kept.notes == ("rows 701-702: two rows of one time, left out",)
+    assert len(kept.rows) == 1998
 
 
 def test_row_without_time_is_left_out(tmp_path: Path) -> None:

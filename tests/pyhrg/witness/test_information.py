@@ -17,11 +17,11 @@ from pyhrg.witness.information import (
 )
 from pyhrg.witness.mechanisms import COUNT, find
 from pyhrg.witness.responses import Motion, Responses, evaluate_angles
-from tests.pyhrg.witness.flights import GYRO, PRIOR
+from tests.pyhrg.witness.flights import GYRO, LINEAR_PRIOR
 
 DURATION = 600.0
 ROW = 0.1
-DRIFTING = int(np.sum(np.diag(PRIOR.covariance) > 0))
+DRIFTING = int(np.sum(np.diag(LINEAR_PRIOR.covariance) > 0))
 
 
 def move(rate: float | Array, rotation: float | Array = 0.0) -> Motion:
@@ -38,7 +38,7 @@ def alternate(size: float) -> Array:
 
 
 def bound(responses: Responses, motion: Motion) -> Array:
-    return compute_posterior(PRIOR.covariance, accumulate_information(responses, motion))
+    return compute_posterior(LINEAR_PRIOR.covariance, accumulate_information(responses, motion))
 
 
 def take_amplitude_force(responses: Responses) -> Responses:
@@ -65,10 +65,10 @@ def test_a_gyro_at_rest_does_not_see_its_own_bias(responses: Responses) -> None:
         )
         return after / before
 
-    prior, information = PRIOR.covariance, accumulate_information(responses, motion)
+    prior, information = LINEAR_PRIOR.covariance, accumulate_information(responses, motion)
     assert compare(angle) == pytest.approx(1.0, abs=0.03)
     assert compare(angle + np.pi / 8) == pytest.approx(1.0, abs=0.03)
-    prior = PRIOR.covariance.copy()
+    prior = LINEAR_PRIOR.covariance.copy()
     prior[find("decay time, relative")] = prior[:, find("decay time, relative")] = 0.0
     assert compare(angle) == pytest.approx(1.0, abs=0.03)
     assert compare(angle + np.pi / 8) < 0.2
@@ -76,11 +76,11 @@ def test_a_gyro_at_rest_does_not_see_its_own_bias(responses: Responses) -> None:
 
 def test_one_rate_confounds_what_two_rates_part(responses: Responses) -> None:
     """At one rate a fourth harmonic has two numbers, for three vectors of mechanisms."""
-    one = rank_directions(PRIOR.covariance, accumulate_information(responses, move(5 * DEG)))
+    one = rank_directions(LINEAR_PRIOR.covariance, accumulate_information(responses, move(5 * DEG)))
     seen = [each.gain > 10 for each in one]
     assert sum(seen) == 3  # the decay time, and one vector
     two = accumulate_information(responses, move(alternate(5 * DEG)))
-    assert sum(each.gain > 10 for each in rank_directions(PRIOR.covariance, two)) >= 5
+    assert sum(each.gain > 10 for each in rank_directions(LINEAR_PRIOR.covariance, two)) >= 5
     assert compute_map_deviation(responses, bound(responses, move(alternate(5 * DEG))), 0) < (
         0.7 * compute_map_deviation(responses, bound(responses, move(5 * DEG)), 0)
     )
@@ -105,7 +105,7 @@ def test_rates_alone_confound_drives_with_damping(responses: Responses) -> None:
 
 
 def test_virtual_rotation_tells_the_mean(responses: Responses) -> None:
-    before = compute_mean_deviation(responses, PRIOR.covariance, 0.0)
+    before = compute_mean_deviation(responses, LINEAR_PRIOR.covariance, 0.0)
     turned = compute_mean_deviation(responses, bound(responses, move(alternate(5 * DEG))), 0.0)
     rotated = compute_mean_deviation(responses, bound(responses, move(0.0, alternate(5 * DEG))), 0)
     assert turned > 0.2 * before
@@ -114,10 +114,10 @@ def test_virtual_rotation_tells_the_mean(responses: Responses) -> None:
 
 def test_a_mechanism_without_drift_stays_known(responses: Responses) -> None:
     covariance = bound(responses, move(alternate(5 * DEG)))
-    known = np.diag(PRIOR.covariance) == 0
+    known = np.diag(LINEAR_PRIOR.covariance) == 0
     assert known.sum() == COUNT - DRIFTING
     assert not covariance[known].any()
-    assert np.all(np.diag(covariance) <= np.diag(PRIOR.covariance) * (1 + 1e-9))
+    assert np.all(np.diag(covariance) <= np.diag(LINEAR_PRIOR.covariance) * (1 + 1e-9))
 
 
 def test_information_grows_with_time(responses: Responses) -> None:

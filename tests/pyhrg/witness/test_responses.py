@@ -30,7 +30,7 @@ def differentiate(closed_form: object, name: str) -> np.ndarray:
 @pytest.mark.parametrize("name", LINEAR)
 def test_bias_at_rest(responses: Responses, name: str) -> None:
     """Fourth harmonic and mean of the output, to 1 % of the largest."""
-    found = responses.output[find(name), REST]
+    found = responses.output[find(name), 0, REST]
     expected = differentiate(closed_forms.static_bias_phasor, name)
     mean = differentiate(lambda d: complex(closed_forms.mean_bias(d)), name)[0]
     size = max(np.abs(found).max(), 1e-9)
@@ -45,7 +45,7 @@ ELECTRODES = [name for name in NAMES if "mismatch" in name or "orthogonality" in
 @pytest.mark.parametrize("name", [*FORCES_AT_REST, *ELECTRODES])
 def test_amplitude_force(responses: Responses, name: str) -> None:
     """At rest, per rate of the case and per virtual rotation, to 1 %."""
-    found = responses.forces[find(name), 0]
+    found = responses.forces[find(name), 0, 0]
     for motion, form in (
         (REST, closed_forms.amplitude_force_phasor),
         (TURNING, closed_forms.turning_amplitude_force_phasor),
@@ -59,9 +59,9 @@ def test_amplitude_force(responses: Responses, name: str) -> None:
 def test_heating_of_the_case(responses: Responses) -> None:
     """The bias per rate of temperature is what its name says, and no force tells it at rest."""
     place = find("bias per rate of temperature")
-    assert responses.output[place, REST, 0] == pytest.approx(1.0, rel=0.01)
-    assert np.abs(responses.forces[place, :, REST]).max() < 1e-3
-    assert np.abs(responses.forces[place, 0, ROTATED, 0]) > 10
+    assert responses.output[place, 0, REST, 0] == pytest.approx(1.0, rel=0.01)
+    assert np.abs(responses.forces[place, :, 0, REST]).max() < 1e-3
+    assert np.abs(responses.forces[place, 0, 0, ROTATED, 0]) > 10
 
 
 def test_the_bias_is_the_slope_of_the_amplitude_force() -> None:

@@ -1,4 +1,6 @@
-"""Sampled errors of triads (Eq. 7): maps, power-on angles and noise are drawn, the same for all."""
+"""Sampled errors of triads (Eq. 7). All triads share one set of draws of maps, power-on angles and
+noise.
+"""
 
 import numpy as np
 from scipy.stats import qmc
@@ -8,8 +10,8 @@ from ins_eval.study.predictors.prediction import SampledPrediction
 from pyhrg.common.arrays import Array
 
 DRAWS = 2048
-"""Number of samples, a power of two for Sobol's sequence. Chosen: the standard error of the
-probability of their 5 % and 95 % quantiles is 0.5 %."""
+"""Number of samples, a power of two for Sobol's sequence. Chosen: a sampled 5 % or 95 %
+quantile then lies at that probability with a standard error of 0.5 %."""
 
 
 def draw_at_angles(

@@ -3,7 +3,7 @@
 Some mechanisms age, warm and scatter in proportion to their size, which the bench's bias map shows;
 others do not depend on it. The variance of each coefficient therefore has a relative and a common
 part. Temperatures and mechanisms differ from gyro to gyro, so that the drift is far from normal.
-Its distribution is that of the training triads's drifts in units of their standard deviations.
+Its distribution is that of the training triads' drifts in units of their standard deviations.
 """
 
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ class MapDrift:
 
     common: (COUNT,) variance that is the same in all gyros;
     relative: (COUNT,) variance per squared `compute_map_size`;
-    standard: (n, COUNT) drifts of the training triads's gyros, bench errors included, in units of
+    standard: (n, COUNT) drifts of the training triads' gyros, bench errors included, in units of
     their standard deviations; a row is one gyro's.
     """
 

@@ -40,6 +40,7 @@ def test_columns_and_rows_in_any_order(tmp_path: Path) -> None:
         ("car,2,1", "line 4: median_m: found '', expected a number from low_m, 1"),
         ("car,1,1,2,3,", "line 4: triad: found '1', expected one that is judged, 2 to 3"),
         ("car,2.0,1,2,3,", "line 4: triad: found '2.0', expected one that is judged"),
+        (f"car,{'9' * 5000},1,2,3,", "line 4: triad: found '999.*999', expected one that is"),
         ("bus,2,1,2,3,", "line 4: mission: found 'bus', expected car or ship"),
         ("car,3,1,2,3,", r"line 4: triad: found \(3, 'car'\) again, expected it once"),
         ("ship,3,1,2,3,", "found no row for triad 2, mission car, expected all 4 judged flights"),

@@ -6,7 +6,12 @@ import numpy as np
 import pytest
 
 from pyhrg.device.device import Device
-from pyhrg.gap.closing.verification import compute_whiteness, estimate_noise_floor, measure_distance
+from pyhrg.gap.closing.verification import (
+    compute_whiteness,
+    estimate_noise_floor,
+    measure_areas,
+    measure_distance,
+)
 from pyhrg.gap.replay.observations import ObservedTest, observe_test
 from pyhrg.gap.whitening.whitening import NoiseModel, draw_noise
 from pyhrg.records.campaign import Test
@@ -40,6 +45,19 @@ def test_residuals_of_noise_are_within_the_floor() -> None:
         low, _, high = estimate_noise_floor(tests, NOISE, seed=2)[:, 0]
         within += low <= measure_distance(tests, draws)[0] <= high
     assert within >= 15
+
+
+def test_areas_between_distributions_are_closed_forms() -> None:
+    """Of white noise s and itself, moved by d: d; and twice as large: s sqrt(2 / pi)."""
+    test, generator = watched(4000), np.random.default_rng(5)
+    white = generator.normal(0.0, WHITE, 4000)
+    white[:5] = np.nan
+    areas = measure_areas([test], [white + 2.0, 2 * white, white], NoiseModel(WHITE), seed=1)
+    moved, doubled, same, low, median, high = areas[:, 0]
+    assert moved == pytest.approx(2.0, abs=0.02)
+    assert doubled == pytest.approx(WHITE * np.sqrt(2 / np.pi), rel=0.05)
+    assert low < same < high < 0.06 * WHITE
+    assert low < median < high
 
 
 def test_missing_rows_are_left_out() -> None:

@@ -48,7 +48,7 @@ GIVEN = Diagnosis(
     unknown_probability=0.01,
     where=(Place("still", "gyro_angle", "wave_angle", 0.9, 12.0, 4),),
     sizes=(),
-    gap=Gap(FIGURE, None, FIGURE, FIGURE, 50.0, 0.3),
+    gap=Gap(FIGURE, None, FIGURE, FIGURE, 50.0, 0.3, FIGURE),
     next_test=None,
     unnamed={},
     excluded=(),
@@ -82,7 +82,11 @@ def test_keys_are_the_format_s(tmp_path: Path) -> None:
     assert set(found["where"][0]) >= {"test", "channel", "coordinate", "harmonic", "share"}
     for stage in ("before", "after", "floor"):
         assert set(found["gap"][stage]) == {"fit", "holdout"}
-        assert set(found["gap"][stage]["holdout"]) == {"angle_arcsec", "rate_deg_h"}
+        assert set(found["gap"][stage]["holdout"]) == {
+            "angle_arcsec",
+            "rate_deg_h",
+            "area_arcsec",
+        }
         assert set(found["gap"][stage]["fit"]) == {"angle_arcsec"}
     assert found["gap"]["shrink_percent"] == 50.0
     assert found["next_test"] is None

@@ -78,6 +78,45 @@ def test_noise_and_jitter_are_told_apart() -> None:
     assert is_near(noise.encoder_jitter, 5e-6)
 
 
+@pytest.mark.parametrize("size", [5e-6, 1e-4])
+def test_jitter_of_the_rows_is_shared(size: float) -> None:
+    pairs = list(zip(RATES, jitter(size), strict=True))
+    noise = estimate_reading_noise([make_log(rate, error, error) for rate, error in pairs])
+    assert is_near(noise.row_jitter, size)
+    assert replace(noise, row_jitter=NONE) == ReadingNoise()
+
+
+def test_jitter_between_readings_is_found_below_that_of_the_rows() -> None:
+    errors, shared = (
+        [draw_noise(5e-6, 30 + i) * make_rates(rate) for i, rate in enumerate(RATES)],
+        jitter(1e-4),
+    )
+    logs = [
+        make_log(rate, both + own, both)
+        for rate, own, both in zip(RATES, errors, shared, strict=True)
+    ]
+    noise = estimate_reading_noise(logs)
+    assert noise.jitter == pytest.approx(5e-6, rel=0.15)
+    assert is_near(noise.row_jitter, 1e-4)
+
+
+@pytest.mark.parametrize("step", [0.1 * ARCSEC, 2 * ARCSEC])
+def test_a_table_that_wanders_does_not_jitter(step: float) -> None:
+    """A random walk of the table's angle, and a ripple of its rate twice a turn."""
+    turned = np.cumsum(make_rates(100 * DEG) * INTERVAL)
+    moves = np.cumsum(draw_noise(step, 5)), 100 * step * np.sin(2 * turned)
+    for moved in moves:
+        logs = [make_log(rate, moved * bool(rate), moved * bool(rate)) for rate in RATES]
+        assert estimate_reading_noise(logs).row_jitter == NONE
+
+
+def test_a_campaign_at_rest_has_no_jitter() -> None:
+    still = make_log(0.0, draw_noise(0.1 * ARCSEC, 1), draw_noise(0.1 * ARCSEC, 3))
+    noise = estimate_reading_noise([still])
+    assert noise.jitter == noise.row_jitter.value == 0
+    assert is_near(noise.encoder, 0.1 * ARCSEC)
+
+
 @pytest.mark.parametrize("seed", range(20))
 def test_common_scatter_is_motion(seed: int) -> None:
     """A table that shakes by 0.3 arcsec, and one at rest, have no noise of reading."""
@@ -108,7 +147,9 @@ def test_rows_without_a_gyro_are_left_out() -> None:
 
 def test_a_sentence_states_each_noise() -> None:
     assert describe_reading_noise(ReadingNoise()) == []
-    noise = ReadingNoise(Level(ARCSEC, 0.1 * ARCSEC), NONE, Level(3e-5, 1e-6))
-    encoder, gyro = describe_reading_noise(noise)
+    late = Level(3e-5, 1e-6)
+    noise = ReadingNoise(Level(ARCSEC, 0.1 * ARCSEC), gyro_jitter=late, row_jitter=late)
+    encoder, gyro, row = describe_reading_noise(noise)
     assert encoder.startswith("table_angle_deg: scatters by 1 arcsec where the gyro does not")
     assert gyro.startswith("gyro_angle_deg: scatters by 3e-05 s times the table's rate")
+    assert row.startswith("time_s: table_angle_deg and gyro_angle_deg scatter together by 3e-05 s")

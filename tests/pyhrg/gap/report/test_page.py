@@ -3,13 +3,14 @@
 import html
 import re
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.evidence.noise.noise_hypothesis import UnnamedNoise
 from pyhrg.gap.evidence.posterior import Posterior
-from pyhrg.gap.findings.diagnosis import UNSETTLED, WORSE, Cause, NextTest
+from pyhrg.gap.findings.diagnosis import UNSETTLED, WORSE, WORSE_HELD_OUT, Cause, NextTest
 from pyhrg.gap.findings.faults import list_fault_causes, list_tolerated_faults
 from pyhrg.gap.findings.term import Formula, Term
 from pyhrg.gap.report.page import build_page
@@ -138,14 +139,20 @@ def test_a_search_that_did_not_come_to_rest_is_told(with_gap: CampaignDiagnosis,
     assert UNSETTLED in build_page(replace(with_gap, diagnosis=restless))
 
 
-def test_a_closing_that_makes_it_worse_is_told(with_gap: CampaignDiagnosis, text: str) -> None:
-    assert WORSE not in text
+@pytest.mark.parametrize(
+    ("field", "caveat"),
+    [("fit_angle_arcsec", WORSE), ("holdout_angle_arcsec", WORSE_HELD_OUT)],
+)
+def test_a_closing_that_makes_it_worse_is_told(
+    with_gap: CampaignDiagnosis, text: str, field: str, caveat: str
+) -> None:
+    assert caveat not in text
     gap = with_gap.diagnosis.gap
-    fit = gap.fit_angle_arcsec
-    worse = replace(gap, fit_angle_arcsec=replace(fit, after=2 * fit.before))
-    wider = replace(with_gap, diagnosis=replace(with_gap.diagnosis, gap=worse))
-    assert WORSE in build_page(wider)
-    assert WORSE in " ".join(summarize_diagnosis(wider).split())
+    figure = getattr(gap, field)
+    change: dict[str, Any] = {field: replace(figure, after=2 * figure.before)}
+    wider = replace(with_gap, diagnosis=replace(with_gap.diagnosis, gap=replace(gap, **change)))
+    assert caveat in build_page(wider)
+    assert caveat in " ".join(summarize_diagnosis(wider).split())
 
 
 def test_no_gap_has_no_after(without_gap: CampaignDiagnosis) -> None:

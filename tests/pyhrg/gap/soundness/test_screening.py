@@ -18,6 +18,7 @@ from pyhrg.records.campaign import Campaign, CampaignError
 from tests.pyhrg.gap.soundness.conftest import NOMINAL, record_campaign
 from tests.pyhrg.gap.soundness.spoil import (
     Change,
+    added,
     change_logs,
     drop_tests,
     removed,
@@ -176,6 +177,18 @@ def test_a_test_that_cannot_be_replayed_is_excluded(
     assert [test.id for test in screened.tests] == [t.id for t in error_free.tests if t.id != "pos"]
     assert any(re.search(message, text) for text in exclusions)
     assert any(text.startswith("pos: not used: ") for text in exclusions)
+
+
+def test_a_log_without_temperature_is_used_only_at_rest(error_free: Campaign) -> None:
+    """The still test without its thermometer, as it is, and warmed by 5 K as the loop shows."""
+    blind = change_logs(error_free, removed("temperature"), "still")
+    assert len(screen_campaign(blind).campaign.tests) == len(error_free.tests)
+    log = next(test.log for test in blind.tests if test.id == "still")
+    rise = NOMINAL.frequency * NOMINAL.frequency_per_kelvin * np.linspace(0, 5, len(log.time))
+    warmed = change_logs(blind, added(rise, "frequency_offset"), "still")
+    screened, sentences, _ = screen_campaign(warmed)
+    assert len(screened.tests) == len(error_free.tests) - 1
+    assert any("the loop's frequency changes as over 4.9 K" in text for text in sentences)
 
 
 def test_an_unreadable_log_is_excluded(error_free: Campaign, tmp_path: Path) -> None:

@@ -1,0 +1,74 @@
+"""What the channels of a block's gyros tell, as arrays."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from ins_eval.mission_model.mission_weights import MissionWeights
+from ins_eval.study.cosimulated import MissionTruth, seed_noise
+from ins_eval.study.gyros.drawn_triad import DrawnTriad, TriadDistribution
+from ins_eval.study.witness.believed import BelievedGyro, believe_gyro
+from ins_eval.study.witness.flight import fly_with_channels
+from ins_eval.study.witness.self_test import SELF_TEST
+from ins_eval.study.witness.witnessed import WitnessedFlight, witness_triad
+from pyhrg.common.arrays import Array
+from pyhrg.fmu import GyroFmu
+
+TESTS = (0.0, SELF_TEST)
+"""Durations of the self-test at power-on, s: each triad flies with each."""
+SHAPES = {
+    **dict.fromkeys(("flown", "by_bench", "by_channels", "by_self_test", "told", "known"), (2,)),
+    **dict.fromkeys(("told_covariance", "known_covariance"), (2, 2)),
+    **dict.fromkeys(("squares", "degrees", "p_values"), (3,)),
+}
+"""Shapes of the fields of `WitnessedFlight`."""
+BENCH_ERROR = (0, 0, 0)
+"""Key, in a triad's seed, of the bench's errors."""
+
+
+def believe_triad(
+    slow: GyroFmu, distribution: TriadDistribution, triad: DrawnTriad
+) -> list[BelievedGyro]:
+    """The gyros of a triad as its bench leaves them known; slow: `HRGSlow`."""
+    seed = np.random.SeedSequence(triad.seed.tolist(), spawn_key=BENCH_ERROR)
+    generator = np.random.default_rng(seed)
+    return [believe_gyro(slow, each, distribution, generator) for each in triad.calibrated]
+
+
+def witness_triads(
+    fmus: tuple[GyroFmu, GyroFmu],
+    truth: MissionTruth,
+    weights: MissionWeights,
+    mission: int,
+    triads: Mapping[int, tuple[DrawnTriad, Sequence[BelievedGyro]]],
+    numbers: Sequence[int],
+) -> dict[str, Array]:
+    """(r, TESTS, ...) fields of `WitnessedFlight` in a mission, NaN for triads that are not
+    witnessed.
+
+    fmus: `HRG` and `HRGSlow`; weights: at the mission's end alone; mission: its number in the
+    study, with which a triad's seed decides the noise; triads: those that are witnessed, by number;
+    numbers: (r,) of the whole block.
+    """
+    flights = {
+        number: [
+            witness_triad(
+                *fmus,
+                weights,
+                triad,
+                believed,
+                fly_with_channels(fmus[0], truth, triad, seed_noise(triad, mission), test),
+            )
+            for test in TESTS
+        ]
+        for number, (triad, believed) in triads.items()
+    }
+    return {
+        name: np.stack([_stack(flights.get(number), name) for number in numbers]) for name in SHAPES
+    }
+
+
+def _stack(flights: list[WitnessedFlight] | None, name: str) -> Array:
+    if flights is None:
+        return np.full((len(TESTS), *SHAPES[name]), np.nan)
+    return np.stack([getattr(each, name) for each in flights])

@@ -1,0 +1,144 @@
+"""How well the gyros' own channels predict and correct flights: scores with intervals.
+
+Equations: docs/methods/witness.md, "Judged".
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from ins_eval.study.scores import measures
+from ins_eval.study.scores.coverage import estimate_coverage
+from ins_eval.study.scores.resampling import Estimate, Statistic, bootstrap, shuffle_devices
+from ins_eval.study.tables.score import ALL
+from pyhrg.common.arrays import Array
+
+R2 = "r2"
+COVERAGE = "coverage"
+CORRECTED = "corrected_over_flown"
+NEES = "nees"
+PREDICTORS = {
+    "known": "maps known from the bench",
+    "told": "maps told by the channels",
+    "bound": "an estimate that attains the bound",
+    "true": "true maps in flight",
+}
+CORRECTIONS = {
+    "by_bench": "by the maps that the bench knows",
+    "by_channels": "by those that the channels of the whole flight tell",
+    "by_self_test": "by those that the channels tell until the alignment ends",
+}
+SHUFFLED = "told, of another triad"
+
+
+@dataclass(frozen=True)
+class WitnessScore:
+    """A score of flights of a calibration and a class with one kind of start.
+
+    self_test_s: duration of the self-test at power-on; score: `R2` of the horizontal error,
+    `COVERAGE` of the intervals, `CORRECTED` median error over that of the uncorrected flights, or
+    `NEES` over its degrees of freedom; of: key of `PREDICTORS` or `CORRECTIONS`, or `SHUFFLED`;
+    low, high: interval of 95 %; n: number of triads.
+    """
+
+    calibration: str
+    mission_class: str
+    self_test_s: float
+    score: str
+    of: str
+    value: float
+    low: float
+    high: float
+    n: int
+
+    def describe(self) -> dict[str, Any]:
+        return asdict(self)
+
+
+def score_witnesses(flights: pd.DataFrame, seed: int) -> list[WitnessScore]:
+    """Scores by calibration, self-test and class, all classes first.
+
+    flights: a row for each triad, calibration, mission and self-test (`tabulate.py`).
+    """
+    found: list[WitnessScore] = []
+    for (calibration, test), rows in flights.groupby(["calibration", "self_test_s"]):
+        parts = [(ALL, rows), *rows.groupby("mission_class", sort=False)]
+        for name, part in parts:
+            group = _Group(part)
+            for score, of, estimate in _score(group, seed):
+                values = estimate.value, estimate.low, estimate.high
+                place = str(calibration), str(name), float(test)
+                found.append(WitnessScore(*place, score, of, *values, group.triads))
+    return found
+
+
+class _Group:
+    """Flights of r triads in m missions."""
+
+    def __init__(self, rows: pd.DataFrame) -> None:
+        self._rows = rows.sort_values(["triad", "mission"], kind="stable")
+        self.triads = int(rows["triad"].nunique())
+
+    def select(self, name: str) -> Array:
+        """(r, m) values."""
+        return np.asarray(self._rows[name].to_numpy(float).reshape(self.triads, -1))
+
+    def select_pair(self, name: str) -> Array:
+        """(r, m, 2) errors north and east, m."""
+        return np.stack([self.select(f"{name}_{axis}_m") for axis in ("north", "east")], axis=-1)
+
+
+def _score(group: _Group, seed: int) -> Iterator[tuple[str, str, Estimate]]:
+    flown = group.select_pair("flown")
+    radial = np.linalg.norm(flown, axis=-1)
+
+    def estimate(statistic: Statistic, *samples: Array) -> Estimate:
+        return bootstrap(statistic, samples, seed)
+
+    for key in PREDICTORS:
+        median = group.select(f"{key}_median_m")
+        yield R2, key, estimate(measures.compute_r2, radial, median)
+        low, high = group.select(f"{key}_low_m"), group.select(f"{key}_high_m")
+        yield COVERAGE, key, estimate_coverage(radial, low, high, seed)
+    for key in CORRECTIONS:
+        corrected = np.linalg.norm(group.select_pair(key), axis=-1)
+        if np.isfinite(corrected).all():
+            yield CORRECTED, key, estimate(compute_size_ratio, radial, corrected)
+    by_bench = group.select_pair("by_bench")
+    added = group.select_pair("told") - group.select_pair("known")
+
+    def correct(errors: Array, told: Array) -> Array:
+        return compute_size_ratio(radial, np.linalg.norm(errors - told, axis=-1))
+
+    yield CORRECTED, SHUFFLED, shuffle_devices(correct, by_bench, [added], seed)
+    squares, degrees = group.select("squares"), group.select("degrees")
+    yield NEES, "told", estimate(_compute_nees, squares, degrees)
+
+
+def compute_size_ratio(flown: Array, corrected: Array) -> Array:
+    """(...,) median of corrected errors (..., r, m) over that of flown ones."""
+    medians = [np.median(each, axis=(-2, -1)) for each in (corrected, flown)]
+    return np.asarray(medians[0] / medians[1])
+
+
+def _compute_nees(squares: Array, degrees: Array) -> Array:
+    return np.asarray(squares.sum(axis=(-2, -1)) / degrees.sum(axis=(-2, -1)))
+
+
+def list_figures(scores: Sequence[WitnessScore]) -> tuple[tuple[str, ...], ...]:
+    """Rows of text for a report: calibration, class, self-test, what, value with interval, n."""
+    titles = {**PREDICTORS, **CORRECTIONS, SHUFFLED: SHUFFLED}
+    return tuple(
+        (
+            each.calibration,
+            each.mission_class,
+            f"{each.self_test_s:g} s",
+            f"{each.score}: {titles[each.of]}",
+            f"{each.value:.3f} ({each.low:.3f} to {each.high:.3f})",
+            str(each.n),
+        )
+        for each in scores
+    )

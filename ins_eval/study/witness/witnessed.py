@@ -1,0 +1,163 @@
+"""What the channels of a triad's gyros tell in one flight, and what that is worth."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from ins_eval.mission_model.mission_weights import MissionWeights
+from ins_eval.mission_model.missions import STILL
+from ins_eval.mission_model.signals import compute_resonator_warmth
+from ins_eval.study.gyros.drawn_triad import AXES, DrawnTriad
+from ins_eval.study.gyros.drift import Flight
+from ins_eval.study.witness.believed import BelievedGyro
+from ins_eval.study.witness.flight import ChannelFlight
+from ins_eval.study.witness.told_map import (
+    ToldMap,
+    compute_angle_errors,
+    predict_error,
+    tell_map,
+)
+from pyhrg.common.arrays import Array
+from pyhrg.device.device import Device
+from pyhrg.device.fmu_parameters import FMU_FIELDS
+from pyhrg.fmu import GyroFmu
+from pyhrg.witness.fit import FittedChanges, Flown, fit_changes
+from pyhrg.witness.information import compute_normalized_square
+from pyhrg.witness.mechanisms import HEATING, read_values
+from pyhrg.witness.replay import Witnesses
+
+SIGNIFICANCE = 1e-3
+"""Probability of innovations below which a gyro's channels are not followed. Chosen."""
+
+
+@dataclass(frozen=True)
+class WitnessedFlight:
+    """Results of one flight, at its end; errors are north and east, m.
+
+    flown: (2,) error of the flight; by_bench: of the same record, corrected by the maps that the
+    bench knows; by_channels: by those that the channels of the whole flight tell; by_self_test: by
+    those that the channels tell until the alignment ends;
+    told, known: (2,) error that the maps told by the channels make, and those known from the bench;
+    told_covariance, known_covariance: (2, 2) of these, m^2, without noise and mounting;
+    squares, degrees: (3,) normalised squares of the estimates' errors, and degrees of freedom;
+    p_values: (3,) as of `Filtered`.
+    """
+
+    flown: Array
+    by_bench: Array
+    by_channels: Array
+    by_self_test: Array
+    told: Array
+    known: Array
+    told_covariance: Array
+    known_covariance: Array
+    squares: Array
+    degrees: Array
+    p_values: Array
+
+
+def read_true_changes(device: Device, flight: Flight) -> Array:
+    """(COUNT,) changes of the mechanisms from a device to a gyro in flight, SI."""
+    drawn: dict[str, Any] = {
+        FMU_FIELDS[n]: v for n, v in flight.device.model.items() if n in FMU_FIELDS
+    }
+    flown = replace(flight.device, **drawn)
+    changes = read_values(flown) - read_values(device)
+    # what acts by the rate of temperature is absolute, because a replay leaves it out
+    return np.where(HEATING, read_values(flown), changes)
+
+
+def witness_triad(
+    fast: GyroFmu,
+    slow: GyroFmu,
+    weights: MissionWeights,
+    triad: DrawnTriad,
+    believed: Sequence[BelievedGyro],
+    flight: ChannelFlight,
+) -> WitnessedFlight:
+    """Estimates from a flight, its prediction, and its corrections.
+
+    fast: `HRG`; slow: `HRGSlow`; weights: at the mission's end alone; believed: the triad's gyros.
+    """
+    fits = _fit(fast, slow, believed, flight.witnesses)
+    known = _tell(slow, believed, None, flight)
+    told = _tell(slow, believed, fits, flight)
+    early = told
+    if flight.self_test:
+        aligned = round(STILL / flight.witnesses[0].interval)
+        before = [each.take(aligned) for each in flight.witnesses]
+        early = _tell(slow, believed, _fit(fast, slow, believed, before), flight)
+    start, none = flight.patterns[0], np.zeros((1, 1, 2, 2))
+    predictions = [predict_error(weights, maps, start, none) for maps in (told, known)]
+    true = [read_true_changes(b.device, f) for b, f in zip(believed, triad.flights, strict=True)]
+    scored = [
+        compute_normalized_square(fit.changes - changes, fit.covariance)
+        for fit, changes in zip(fits, true, strict=True)
+    ]
+    return WitnessedFlight(
+        flown=flight.navigate()[-1],
+        by_bench=_correct(flight, known),
+        by_channels=_correct(flight, told),
+        by_self_test=_correct(flight, early) if flight.self_test else np.full(2, np.nan),
+        told=predictions[0].expected[0, -1],
+        known=predictions[1].expected[0, -1],
+        told_covariance=predictions[0].covariance[0, -1],
+        known_covariance=predictions[1].covariance[0, -1],
+        squares=np.array([square for square, _ in scored]),
+        degrees=np.array([float(degrees) for _, degrees in scored]),
+        p_values=np.array([fit.p_value for fit in fits]),
+    )
+
+
+def _fit(
+    fast: GyroFmu,
+    slow: GyroFmu,
+    believed: Sequence[BelievedGyro],
+    witnesses: Sequence[Witnesses],
+) -> list[FittedChanges]:
+    gyros = [
+        Flown(b.device, w, b.prior, b.responses) for b, w in zip(believed, witnesses, strict=True)
+    ]
+    return fit_changes(fast, slow, gyros)
+
+
+def _tell(
+    slow: GyroFmu,
+    believed: Sequence[BelievedGyro],
+    fits: Sequence[FittedChanges] | None,
+    flight: ChannelFlight,
+) -> list[ToldMap]:
+    """Maps of the gyros by estimates, or by what is known before the flight. An estimate that the
+    forces contradict is not followed."""
+    told = []
+    for axis in range(AXES):
+        gyro, witnesses = believed[axis], flight.witnesses[axis]
+        rise = _read_rise(gyro.device, witnesses)
+        fit = fits[axis] if fits else None
+        if fit is None or fit.p_value <= SIGNIFICANCE:
+            prior = gyro.prior
+            known = prior.mean, prior.covariance, gyro.responses
+        else:
+            known = fit.changes, fit.covariance, fit.responses
+        told.append(tell_map(slow, gyro.device, *known, rise))
+    return told
+
+
+def _read_rise(device: Device, witnesses: Witnesses) -> float:
+    """Final rise of a gyro's temperature, K, by its frequency at the end of a flight."""
+    last = max(1, round(10.0 / witnesses.interval))
+    end = witnesses.interval * len(witnesses.frequency) - STILL
+    frequency = float(np.mean(witnesses.frequency[-last:]))
+    temperature = frequency / (device.frequency * device.frequency_per_kelvin)
+    return temperature / float(compute_resonator_warmth(np.array(end)))
+
+
+def _correct(flight: ChannelFlight, told: Sequence[ToldMap]) -> Array:
+    time, rotation = flight.measured.bounds, flight.measured.rotation
+    errors = [
+        compute_angle_errors(each, flight.patterns[:, axis], time, rotation[:, axis])
+        for axis, each in enumerate(told)
+    ]
+    return np.asarray(flight.navigate(np.stack(errors, axis=-1))[-1])

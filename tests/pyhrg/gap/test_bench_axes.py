@@ -1,0 +1,109 @@
+"""A table whose axis is tilted, and a chamber with a gradient: what is named, and for what else."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pyhrg.bench.bench import Bench, PowerOn, compute_earth_rate
+from pyhrg.bench.programme import Course
+from pyhrg.challenge.campaigns.gyro import Disturbance
+from pyhrg.common.arrays import Array
+from pyhrg.common.site import EARTH_RATE
+from pyhrg.common.units import DEG
+from pyhrg.gap.diagnose import diagnose
+from pyhrg.gap.findings.diagnosis import Diagnosis
+from pyhrg.gap.replay.simulation import Simulation
+from pyhrg.records import Log
+from tests.pyhrg.gap.closing.equation.planted import record_planted
+from tests.pyhrg.gap.soundness.conftest import NOMINAL
+
+LATITUDE = NOMINAL.site.latitude
+EARTH = EARTH_RATE * np.array([0.0, np.cos(LATITUDE), np.sin(LATITUDE)])
+"""Earth's rate along east, north and up, rad/s."""
+ROOM = 293.15
+
+
+def find_earth_rate(axis_up: Array, east: float, north: float) -> Array:
+    """Earth's rate on an input axis that a base carries, which is tilted by a rotation."""
+    axis = np.stack([np.sqrt(1 - axis_up**2), np.zeros_like(axis_up), axis_up], axis=-1)
+    vector = np.array([-north, east, 0.0])
+    angle = np.linalg.norm(vector)
+    x, y, z = vector / angle
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    turn = np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
+    return np.asarray(axis @ turn.T @ EARTH)
+
+
+@pytest.mark.parametrize(("east", "north"), [(1e-3, 0.0), (0.0, 1e-3), (-7e-4, 5e-4)])
+def test_a_tilt_is_a_rotation_of_the_base(east: float, north: float) -> None:
+    axis_up = np.array([1.0, -1.0, 0.0])
+    tilted = replace(NOMINAL, table_tilt_east=east, latitude_error=north)
+    found = compute_earth_rate(tilted, axis_up, np.zeros(3))
+    assert found == pytest.approx(find_earth_rate(axis_up, east, north), abs=1e-6 * EARTH_RATE)
+
+
+def diagnose_tilt(simulation: Simulation, east: float, north: float) -> Diagnosis:
+    def rate(course: Course, start: float) -> Array:
+        up = course.each("axis_up")
+        return find_earth_rate(up, east, north) - up * EARTH[2]
+
+    bench = Bench(simulation.sampled, NOMINAL)
+    tumble = bench.programme()
+    for attitude in ((1.0, 0.0), (-1.0, 0.0), *((0.0, a * np.pi / 2) for a in range(4))):
+        tumble.attitude(*attitude).rest(200)
+    ride = bench.programme().rest(300)
+    power_ons = [PowerOn("tumble", "tumble", tumble), PowerOn("ride", "manoeuvre", ride)]
+    planted = record_planted(simulation.sampled, Disturbance(rate=rate), 4, power_ons=power_ons)
+    return diagnose(planted, simulation=simulation).diagnosis
+
+
+def test_a_tilt_to_the_east_has_its_name(simulation: Simulation) -> None:
+    found = diagnose_tilt(simulation, 0.1 * DEG, 0.0)
+    (cause,) = found.causes
+    assert (cause.effect, cause.family) == ("table_axis_tilt", "bench")
+    low, high = cause.interval_95["table_axis_tilt_east_deg"]
+    assert low < 0.1 < high < low + 0.02
+
+
+def test_a_tilt_to_the_north_is_a_latitude(simulation: Simulation) -> None:
+    found = diagnose_tilt(simulation, 0.0, 0.1 * DEG)
+    (cause,) = found.causes
+    assert {"site_latitude", "table_axis_tilt"} <= cause.equivalence_class
+    assert found.unknown_probability < 0.1
+
+
+def test_a_tilt_within_tolerance_is_no_gap(simulation: Simulation) -> None:
+    assert diagnose_tilt(simulation, 0.005 * DEG, -0.005 * DEG).verdict == "no_gap"
+
+
+def read_room(log: Log) -> Array:
+    """A thermometer that is nearer to the room by a hundredth."""
+    return np.asarray(log.temperature - 0.01 * (log.temperature - ROOM))
+
+
+def read_wall(log: Log) -> Array:
+    """A thermometer on the wall, from which the case differs in proportion to its own rate."""
+    return np.asarray(log.temperature + 60 * np.gradient(log.temperature, log.interval))
+
+
+@pytest.mark.parametrize(
+    ("read", "name"), [(read_wall, "thermometer_lag"), (read_room, "thermometer_gain")]
+)
+def test_a_gradient_in_the_chamber_is_the_thermometers(
+    simulation: Simulation, read: Callable[[Log], Array], name: str
+) -> None:
+    def show(log: Log) -> Log:
+        return replace(log, temperature=read(log))
+
+    bench = Bench(simulation.sampled, NOMINAL)
+    course = bench.programme(10.0).rest(600)
+    course.heat(NOMINAL.reference_temperature + 30, 1500).rest(1500)
+    ride = bench.programme().rest(300)
+    power_ons = [PowerOn("warm", "thermal", course), PowerOn("ride", "manoeuvre", ride)]
+    planted = record_planted(simulation.sampled, Disturbance(shown=show), 5, power_ons=power_ons)
+    found = diagnose(planted, simulation=simulation).diagnosis
+    (cause,) = found.causes
+    assert {name, "temperature_gradient"} <= cause.equivalence_class
+    assert found.unknown_probability < 0.1

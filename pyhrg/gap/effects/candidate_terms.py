@@ -42,6 +42,8 @@ SMOOTHING_TIME = 300.0
 """Time over which the slope of a noisy temperature log is taken, s. Chosen."""
 Functions = Iterator[tuple[str, str, int | None, Array]]
 """Coordinate, words, harmonic and (n,) or (n, b) values."""
+Family = tuple[str, str, str]
+"""Channel, place and coordinate of terms that may stand for one cause."""
 EACH_POWER_ON = "a value for each power-on"
 
 
@@ -69,6 +71,11 @@ class CandidateTerm:
         return f"{self.function} ({self.channel})"
 
     @property
+    def family(self) -> Family:
+        """Terms that may stand for one cause with this one."""
+        return self.channel, self.function.rpartition(": ")[0], self.coordinate
+
+    @property
     def is_curved(self) -> bool:
         """Whether the response is linear only where it is small. That to an encoder's error is: the
         pattern is where the gyro reads it."""
@@ -77,7 +84,8 @@ class CandidateTerm:
     @property
     def is_reading_error(self) -> bool:
         """Whether the pattern is read, or the output put out, at a wrong angle."""
-        return self.function.startswith(("angle: ", "pick-off: "))
+        is_read = self.function.startswith(("angle: ", "pick-off: "))
+        return is_read and not self.is_encoder_error
 
     @property
     def is_encoder_error(self) -> bool:

@@ -1,7 +1,6 @@
 """Normal equations of a campaign: residuals, sensitivities and candidate terms, whitened."""
 
-import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -9,18 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.common.arrays import Array
-from pyhrg.device.device import Device
-from pyhrg.gap.effects.candidate_terms import CandidateTerm, Coordinates
-from pyhrg.gap.effects.catalogue import Effect
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.jump import Jump
-from pyhrg.gap.effects.term_columns import build_term_columns
-from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
-from pyhrg.gap.replay.simulation import compute_carrier_terms
-from pyhrg.gap.whitening.channel_noise import CampaignNoise, compute_temperature_slopes
-from pyhrg.gap.whitening.whitening import WhitenedSeries, whiten
+from pyhrg.gap.effects.linear_test import Group, LinearTest, whiten_rows, whiten_terms
+from pyhrg.gap.replay.observations import CHANNELS
+from pyhrg.gap.whitening.channel_noise import CampaignNoise
 
-Group = Effect | CandidateTerm
-"""What a group of the design's columns stands for."""
 Sizes = Mapping[Group, Array]
 """Size of each group, in units of its columns."""
 TestChannel = tuple[str, str]
@@ -80,64 +73,16 @@ class Design:
         log_determinant = sum(b.log_determinant / (1 + b.model_error) for b in self.blocks)
         return -(self.power + log_determinant + self.log_volume) / 2
 
+    @cached_property
+    def log_volumes(self) -> dict[Group, float]:
+        """Half the log determinant of each group's own products."""
+        own = {group: self.gram[np.ix_(where, where)] for group, where in self.columns.items()}
+        return {g: float(np.linalg.slogdet(gram)[1]) / 2 for g, gram in own.items()}
+
     @property
     def groups(self) -> list[Group]:
         """Groups all of whose columns the tests see."""
         return [group for group, own in self.columns.items() if (self.norms[own] > 0).all()]
-
-
-@dataclass(frozen=True)
-class LinearTest:
-    """One test linearized around a simulated device.
-
-    device: that is simulated.
-    simulated: (n,) by field of a log, of the device.
-    residual: (n,) by channel, record less simulation, referred to the nominal device.
-    sensitivities: (n, d) by channel, for each effect: change of a channel per unit of its vector.
-    where: coordinates of the rows.
-    slopes: (n,) by channel: derivative of a channel by the pattern angle, per rad.
-    bryan_factor: of the nominal device.
-    """
-
-    test: ObservedTest
-    device: Device
-    simulated: Mapping[str, Array]
-    residual: Mapping[str, Array]
-    sensitivities: Mapping[Effect, Mapping[str, Array]]
-    where: Coordinates
-    slopes: Mapping[str, Array]
-    bryan_factor: float
-
-    def responses(self, channel: str, outputs: Sequence[Jump] = ()) -> Array:
-        """(n, p + 1) sensitivities to all effects, steps of the output alone, and the residual."""
-        effects = [own[channel] for own in self.sensitivities.values()]
-        steps = [(channel == "gyro_angle") * jump.columns(self.where) for jump in outputs]
-        return np.column_stack([*effects, *steps, self.residual[channel]])
-
-    @cached_property
-    def unmodelled(self) -> Mapping[str, Array]:
-        """(n,) shapes by channel that the simulation lacks, of a size up to about 1: the next order
-        of the carrier's average, and of the thermometer's lag (docs/methods/whitening.md, Eq. 18).
-        """
-        device, interval = self.device, self.test.log.interval
-        shapes = dict(compute_carrier_terms(device, self.test, self.where.pattern_angle))
-        lag, where = device.thermometer_lag, self.where
-        bend = where.case_rate - (where.case - where.resonator) / device.thermal_lag
-        kelvin = lag * (lag + interval) / 2 / device.thermal_lag * bend
-        for channel, slope in compute_temperature_slopes(device).items():
-            shapes[channel] = shapes[channel] + slope * kelvin
-        return shapes
-
-    def at_measured_angle(self, series: Array, angles: Array, channel: str) -> Array:
-        """(n, p) series of a channel, referred to the measured pattern angle instead of the
-        simulated one; `angles` are the same series of the output angle, rad.
-
-        Noise that turns the pattern then appears in the output angle alone
-        (docs/methods/effects.md, Eq. 3).
-        """
-        if channel == "gyro_angle":
-            return series
-        return series + self.bryan_factor * self.slopes[channel][:, None] * angles
 
 
 def list_forms(design: Design, term: CandidateTerm) -> list[CandidateTerm]:
@@ -147,33 +92,46 @@ def list_forms(design: Design, term: CandidateTerm) -> list[CandidateTerm]:
 
 
 def build_design(
-    parts: Sequence[LinearTest], noise: CampaignNoise, jumps: Sequence[Jump] = ()
+    parts: Sequence[LinearTest],
+    noise: CampaignNoise,
+    jumps: Sequence[Jump] = (),
+    forms: Collection[CandidateTerm] = (),
 ) -> Design:
     """Whiten all series of linearized tests and sum up the normal equations
     (docs/methods/effects.md, Eqs. 7 and 8). Jumps are candidates in addition to effects and
-    candidate terms."""
+    candidate terms. Forms are what large terms may miss; these terms and forms act in other
+    channels too where they make the pattern be read at a wrong angle."""
     effects = list(parts[0].sensitivities)
     columns: dict[Group, NDArray[np.int64]] = {}
     outputs = [jump for jump in jumps if jump.kind == "output"]
+    others = [jump for jump in jumps if jump.kind != "output"]
     sizes = [*(effect.size for effect in effects), *(len(jump.times) for jump in outputs)]
     count = _assign_columns(columns, [*effects, *outputs], sizes, 0)
     blocks = []
     shared = np.arange(count)
     for channel in CHANNELS:
         for index, part in enumerate(parts):
-            candidates = build_term_columns(part.where, channel)
-            if channel == "gyro_angle":
-                candidates += [(j, j.columns(part.where)) for j in jumps if j not in outputs]
-            terms, values = zip(*candidates, strict=True)
+            white = whiten_terms(part, channel, outputs, others, forms, noise)
             if index == 0:
                 sizes = [
-                    len(parts) if term.is_of_each_power_on else block.shape[1]
-                    for term, block in zip(terms, values, strict=True)
+                    len(parts) if term.is_of_each_power_on else size
+                    for term, size in white.sizes.items()
                 ]
-                count = _assign_columns(columns, terms, sizes, count)
-            own = [columns[t][[index]] if t.is_of_each_power_on else columns[t] for t in terms]
+                count = _assign_columns(columns, list(white.sizes), sizes, count)
+            own = [
+                columns[t][[index]] if t.is_of_each_power_on else columns[t] for t in white.sizes
+            ]
             indices = np.concatenate([shared, *own])
-            blocks.append(_build_block(part, channel, indices, outputs, values, noise))
+            blocks.append(
+                Block(
+                    part.test.test.id,
+                    channel,
+                    indices,
+                    white.gram,
+                    int(part.test.rows[channel].sum()),
+                    white.log_determinant,
+                )
+            )
     return _assemble(columns, blocks)
 
 
@@ -190,35 +148,6 @@ def _assign_columns(
             columns[group] = np.arange(count, count + size)
             count += size
     return count
-
-
-def _build_block(
-    part: LinearTest,
-    channel: str,
-    columns: NDArray[np.int64],
-    outputs: Sequence[Jump],
-    terms: Sequence[Array],
-    noise: CampaignNoise,
-) -> Block:
-    rows = part.test.rows[channel]
-    responses = part.at_measured_angle(
-        part.responses(channel, outputs), part.responses("gyro_angle", outputs), channel
-    )
-    series = np.column_stack([responses[:, :-1], *terms, responses[:, -1]])
-    white = whiten_rows(part, channel, series, noise)
-    gram = white.series.T @ white.series
-    name = part.test.test.id
-    return Block(name, channel, columns, gram, int(rows.sum()), white.log_determinant)
-
-
-def whiten_rows(
-    part: LinearTest, channel: str, series: Array, noise: CampaignNoise
-) -> WhitenedSeries:
-    """Whiten the compared rows of (n, p) series of a channel."""
-    rows = part.test.rows[channel]
-    steps = np.diff(part.test.log.time[rows], prepend=0.0)
-    unmodelled = part.unmodelled[channel][rows]
-    return whiten(series[rows], steps, noise.get_model(channel, part.test, rows), unmodelled)
 
 
 def _assemble(columns: Mapping[Group, NDArray[np.int64]], blocks: Sequence[Block]) -> Design:
@@ -247,26 +176,12 @@ def discount_model_error(design: Design, model_error: Mapping[TestChannel, float
     return _assemble(design.columns, blocks)
 
 
-def measure_power(design: Design, sizes: Sizes) -> dict[TestChannel, float]:
-    """Chi-square of what groups of these sizes make in each channel of each test."""
-    return {where: power for where, power, _ in _measure_blocks(design, sizes)}
-
-
-def measure_excess(design: Design, sizes: Sizes) -> dict[TestChannel, float]:
-    """Chi-square, beyond that of the noise, that groups of these sizes may leave of the residual in
-    each channel of each test: the upper end of its 95 % interval."""
-    return {where: left for where, _, left in _measure_blocks(design, sizes)}
-
-
-def _measure_blocks(design: Design, sizes: Sizes) -> Iterator[tuple[TestChannel, float, float]]:
-    all_sizes = np.zeros(len(design.projection))
+def measure_power(design: Design, sizes: Mapping[CandidateTerm, Array]) -> float:
+    """Chi-square of what groups of these sizes make in all tests."""
+    unit = np.zeros(len(design.norms))
     for group, size in sizes.items():
-        all_sizes[design.columns[group]] = size
-    for block in design.blocks:
-        own, gram = all_sizes[block.columns], block.gram
-        power = float(own @ gram[:-1, :-1] @ own)
-        left = power + float(gram[-1, -1] - 2 * own @ gram[:-1, -1]) - block.rows
-        yield (block.test, block.channel), power, max(left + 2 * math.sqrt(2 * block.rows), 0.0)
+        unit[design.columns[group]] = size * design.norms[design.columns[group]]
+    return float(unit @ design.gram @ unit)
 
 
 def compute_excess_power(

@@ -1,11 +1,11 @@
-"""Parameters that are known within a tolerance, integrated out of the normal equations.
+"""What is known within a tolerance, integrated out of the normal equations.
 
 Every nominal value is a little wrong, and so is every bench. Such a parameter has a normal prior
 about its told value, with its tolerance as the standard deviation. It takes part in every
-hypothesis (docs/methods/effects.md, Eqs. 10 to 12).
+hypothesis (docs/methods/effects.md, Eqs. 10 to 12). So has the form of a cause without a name.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -14,8 +14,14 @@ from numpy.typing import NDArray
 from scipy.linalg import cho_factor, cho_solve
 
 from pyhrg.common.arrays import Array
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.design import Design, Group, Sizes
+from pyhrg.gap.effects.design import Design, Sizes
+from pyhrg.gap.effects.form import Form
+from pyhrg.gap.effects.linear_test import Group
+
+SMALLEST_SHARE = 1e-10
+"""Share of a column that counts as nothing left. Chosen: rounding of the normal equations."""
 
 
 @dataclass(frozen=True)
@@ -23,86 +29,158 @@ class KnownParameters:
     """What the tests and the tolerances say of the known parameters, beside any set of groups.
 
     whole: normal equations with all columns.
-    tolerances: standard deviation of each component before the tests, SI.
+    tolerances: standard deviation of each component before the tests, SI; of parameters and forms.
+    terms: whose forms these are. Of a form counts what the terms don't explain: their sizes are
+        those that explain most of the cause.
     """
 
     whole: Design
-    tolerances: Mapping[Effect, float]
+    tolerances: Mapping[Effect | Form, float]
+    terms: tuple[CandidateTerm, ...] = ()
 
-    @cached_property
+    @property
     def effects(self) -> tuple[Effect, ...]:
         """Known parameters that the tests see."""
-        seen = self.whole.groups
-        return tuple(effect for effect in self.tolerances if effect in seen)
+        return tuple(group for group in self._groups if isinstance(group, Effect))
+
+    @cached_property
+    def _groups(self) -> tuple[Effect | Form, ...]:
+        """These, and the forms that the tests see."""
+        seen = self._apart.groups
+        return tuple(group for group in self.tolerances if group in seen)
+
+    @cached_property
+    def _apart(self) -> Design:
+        """The normal equations with what the terms explain of the forms taken out of these."""
+        whole, forms = self.whole, self._of_forms
+        if not forms.size:
+            return whole
+        change = np.eye(len(whole.projection))
+        change[np.ix_(self._of_terms, forms)] = -self._shares
+        left = np.einsum("if,ij,jf->f", change[:, forms], whole.gram, change[:, forms])
+        left = np.where(left > SMALLEST_SHARE, left, 0.0)
+        change[:, forms] *= np.divide(1.0, np.sqrt(left), out=np.zeros_like(left), where=left > 0)
+        norms = whole.norms.copy()
+        norms[forms] *= np.sqrt(left)
+        gram = change.T @ whole.gram @ change
+        return replace(whole, gram=gram, projection=change.T @ whole.projection, norms=norms)
 
     @cached_property
     def marginal(self) -> Design:
         """Normal equations of all other groups, with the known parameters integrated out."""
         if not self.tolerances:
-            return self.whole
-        whole, known, others = self.whole, self._known, self._others
+            return self._apart
+        whole, known, others = self._apart, self._known, self._others
         cross = whole.gram[np.ix_(known, others)]
         gain = self._solve(cross)
         own = self._solve(whole.projection[known])
         places = np.full(len(whole.projection), -1)
         places[others] = np.arange(len(others))
+        scale = 1 / np.sqrt(self._left_by_forms)
+        gram = whole.gram[np.ix_(others, others)] - cross.T @ gain
         return replace(
             whole,
-            gram=whole.gram[np.ix_(others, others)] - cross.T @ gain,
-            projection=whole.projection[others] - cross.T @ own,
+            gram=gram * np.outer(scale, scale),
+            projection=(whole.projection[others] - cross.T @ own) * scale,
             power=whole.power - float(whole.projection[known] @ own),
-            norms=whole.norms[others],
+            norms=whole.norms[others] / scale,
             columns={g: places[c] for g, c in whole.columns.items() if g not in self.tolerances},
             log_volume=self._log_volume,
         )
 
     def estimate(self, sizes: Sizes) -> dict[Effect, Array]:
         """(d,) most probable departure of each known parameter beside groups of these sizes, SI."""
-        whole, projection = self.whole, self.whole.projection[self._known]
+        return {g: v for g, v in self._estimate_all(sizes).items() if isinstance(g, Effect)}
+
+    def complete(self, sizes: Sizes) -> dict[Group, Array]:
+        """Groups of these sizes, and all that is known within a tolerance beside them. What the
+        terms explain of the forms is taken out of the terms' sizes."""
+        all_sizes = dict(sizes)
+        all_sizes.update(self._estimate_all(sizes).items())
+        norms, unit = self.whole.norms, np.zeros(len(self.whole.norms))
+        for form in (group for group in self._groups if isinstance(group, Form)):
+            own = self.whole.columns[form]
+            unit[own] = all_sizes[form] * norms[own]
+        shift = np.zeros(len(norms))
+        shift[self._of_terms] = self._shares @ unit[self._of_forms]
+        for term in self.terms:
+            own = self.whole.columns[term]
+            all_sizes[term] = all_sizes.get(term, np.zeros(len(own))) - shift[own] / norms[own]
+        return all_sizes
+
+    def _estimate_all(self, sizes: Sizes) -> dict[Effect | Form, Array]:
+        whole, projection = self._apart, self._apart.projection[self._known]
         for group, size in sizes.items():
             own = whole.columns[group]
             unit = size * whole.norms[own]
             projection = projection - whole.gram[np.ix_(self._known, own)] @ unit
         values = self._solve(projection) / whole.norms[self._known]
         return {
-            e: values[end - e.size : end] for e, end in zip(self.effects, self._ends, strict=True)
+            g: values[end - g.size : end] for g, end in zip(self._groups, self._ends, strict=True)
         }
 
-    def compute_covariances(self, groups: Sequence[Group]) -> dict[Effect, Array]:
-        """(d, d) covariance of each known parameter beside fitted groups, SI."""
-        whole, count = self.whole, len(self._known)
+    def compute_covariances(self, groups: Sequence[Group]) -> dict[Effect | Form, Array]:
+        """(d, d) covariance of each of these beside fitted groups, SI."""
+        whole, count = self._apart, len(self._known)
         where = np.concatenate([self._known, *(whole.columns[group] for group in groups)])
         information = whole.gram[np.ix_(where, where)].copy()
         information[:count, :count] += np.diag(1 / self._prior_variance)
         scale = 1 / whole.norms[self._known]
         total = np.linalg.inv(information)[:count, :count] * np.outer(scale, scale)
-        parts = [slice(end - e.size, end) for e, end in zip(self.effects, self._ends, strict=True)]
-        return {e: total[part, part] for e, part in zip(self.effects, parts, strict=True)}
+        parts = [slice(end - g.size, end) for g, end in zip(self._groups, self._ends, strict=True)]
+        return {g: total[part, part] for g, part in zip(self._groups, parts, strict=True)}
 
     @cached_property
     def _known(self) -> NDArray[np.int64]:
-        columns = [self.whole.columns[effect] for effect in self.effects]
-        return np.concatenate([np.empty(0, np.int64), *columns])
+        return self._list_columns(self._groups)
 
     @cached_property
     def _others(self) -> NDArray[np.int64]:
-        columns = [c for g, c in self.whole.columns.items() if g not in self.tolerances]
-        return np.concatenate([np.empty(0, np.int64), *columns])
+        return self._list_columns(g for g in self.whole.columns if g not in self.tolerances)
 
     @cached_property
     def _ends(self) -> NDArray[np.int64]:
-        return np.cumsum([effect.size for effect in self.effects], dtype=np.int64)
+        return np.cumsum([group.size for group in self._groups], dtype=np.int64)
 
     @cached_property
     def _prior_variance(self) -> Array:
         """Variance before the tests, in units of the design's columns."""
-        sigmas = [np.full(effect.size, self.tolerances[effect]) for effect in self.effects]
-        return np.asarray((np.concatenate([[], *sigmas]) * self.whole.norms[self._known]) ** 2)
+        sigmas = [np.full(group.size, self.tolerances[group]) for group in self._groups]
+        return np.asarray((np.concatenate([[], *sigmas]) * self._apart.norms[self._known]) ** 2)
 
     @cached_property
     def _factor(self) -> tuple[Array, bool]:
-        gram = self.whole.gram[np.ix_(self._known, self._known)]
+        gram = self._apart.gram[np.ix_(self._known, self._known)]
         return cho_factor(gram + np.diag(1 / self._prior_variance))
+
+    @property
+    def _left_by_forms(self) -> Array:
+        """Share of the power of each other group's columns that the forms leave: they count as
+        noise, with which columns are whitened too."""
+        own = np.isin(self._known, self._of_forms)
+        cross = self._apart.gram[np.ix_(self._known[own], self._others)]
+        gram = self._apart.gram[np.ix_(self._known[own], self._known[own])]
+        gain = np.linalg.solve(gram + np.diag(1 / self._prior_variance[own]), cross)
+        return np.asarray(np.maximum(1 - (cross * gain).sum(axis=0), SMALLEST_SHARE))
+
+    @cached_property
+    def _shares(self) -> Array:
+        """(t, f) sizes with which the terms explain most of each form, in units of the columns."""
+        gram = self.whole.gram
+        cross = gram[np.ix_(self._of_terms, self._of_forms)]
+        return np.asarray(np.linalg.solve(gram[np.ix_(self._of_terms, self._of_terms)], cross))
+
+    @property
+    def _of_terms(self) -> NDArray[np.int64]:
+        return self._list_columns(self.terms)
+
+    @property
+    def _of_forms(self) -> NDArray[np.int64]:
+        return self._list_columns([g for g in self.tolerances if isinstance(g, Form)])
+
+    def _list_columns(self, groups: Iterable[Group]) -> NDArray[np.int64]:
+        columns = [self.whole.columns[group] for group in groups]
+        return np.concatenate([np.empty(0, np.int64), *columns])
 
     @property
     def _log_volume(self) -> float:
@@ -110,6 +188,6 @@ class KnownParameters:
         return float(2 * np.log(diagonal).sum() + np.log(self._prior_variance).sum())
 
     def _solve(self, values: Array) -> Array:
-        if not self.effects:
+        if not self._groups:
             return np.zeros_like(values)
         return np.asarray(cho_solve(self._factor, values))

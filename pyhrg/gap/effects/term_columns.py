@@ -4,7 +4,7 @@ A term of pick-off, drive or damping shows in more than one way: the forces of t
 the pick-off shows, and a force is as wrong as the drive (docs/methods/effects.md, Eqs. 4 to 5c).
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 import numpy as np
 
@@ -20,6 +20,8 @@ from pyhrg.gap.effects.candidate_terms import (
 
 Columns = list[tuple[CandidateTerm, Array]]
 """Terms with their (n, b) columns in one channel."""
+PlacedTerm = tuple[CandidateTerm, Array, Callable[[Array], Array]]
+"""A term, the (n, b) values of its basis functions, and what its place makes of these: linear."""
 
 ELECTRODE_HARMONICS = [m for m in PATTERN_HARMONICS if m not in (2, 4)]
 """Harmonics of errors of pick-off and drive. A term must not stand in for an offset (2), a gain or
@@ -30,17 +32,21 @@ HARMONIC = "harmonic {} of the pattern angle"
 def build_term_columns(where: Coordinates, channel: str) -> Columns:
     """All candidate terms that show in a channel in a test, (n, b) each, in the same order for
     every test. A term that shows in several channels has the same identity in all of them."""
+    return [(term, respond(block)) for term, block, respond in generate_terms(where, channel)]
+
+
+def generate_terms(where: Coordinates, channel: str) -> Iterator[PlacedTerm]:
+    """Generate the same terms, with the values of their basis functions apart from what their place
+    makes of these."""
     if channel == "gyro_angle":
-        return [*_build_angle_terms(where), *_build_drive_gains(where, channel)]
-    terms: Columns = [
-        (_make_term(channel, coordinate, function, harmonic), block)
-        for coordinate, function, harmonic, block in where.functions
-    ]
+        yield from _generate_angle_terms(where)
+    else:
+        for coordinate, function, harmonic, block in where.functions:
+            yield _make_term(channel, coordinate, function, harmonic), block, _show
     if channel == "amplitude":
-        terms += _build_free_decay(where)
-    if channel in ("amplitude_force", "quadrature_force"):
-        terms += _build_drive_gains(where, channel)
-    return terms
+        yield from _generate_free_decay(where)
+    if channel in ("gyro_angle", "amplitude_force", "quadrature_force"):
+        yield from _generate_drive_gains(where, channel)
 
 
 def compute_response(
@@ -60,33 +66,43 @@ def _make_term(
     return CandidateTerm(channel, coordinate, words, harmonic, is_of_each_power_on=own)
 
 
-def _build_angle_terms(where: Coordinates) -> Columns:
+def _show(block: Array) -> Array:
+    return block
+
+
+def _generate_angle_terms(where: Coordinates) -> Iterator[PlacedTerm]:
     """Terms of the output angle alone: a bias, whose integral appears; an error of the angle, from
     the table's start on where it is the encoder's; a force that points beside the pattern by an
     angle, which is a bias in proportion to the drive's growth rate; and an error of the pick-off,
     which is both of these."""
-    terms: Columns = []
-
-    def add(place: str, key: tuple[str, str, int | None], values: Array) -> None:
-        terms.append((_make_term("gyro_angle", *key, place), values))
 
     def integrate(rate: Array) -> Array:
         return np.asarray(np.cumsum(rate, axis=0) * where.test.log.interval)
 
+    def count_from_start(block: Array) -> Array:
+        return block - make_harmonic(np.zeros(1))
+
     for coordinate, function, harmonic, block in where.functions:
-        add("bias", (coordinate, function, harmonic), integrate(block))
+        key = ("gyro_angle", coordinate, function, harmonic)
+        yield _make_term(*key, "bias"), block, integrate
         if harmonic:
-            start = make_harmonic(np.zeros(1)) if coordinate == "table_angle" else 0.0
-            add("angle", (coordinate, function, harmonic), block - start)
+            is_table = coordinate == "table_angle"
+            yield _make_term(*key, "angle"), block, count_from_start if is_table else _show
     for coordinate, function, harmonic, block in _generate_products(where):
-        add("bias", (coordinate, function, harmonic), integrate(block))
+        yield _make_term("gyro_angle", coordinate, function, harmonic, "bias"), block, integrate
     growth = where.growth_rate[:, None]
+
+    def push(block: Array) -> Array:
+        return integrate(growth * block)
+
+    def push_and_show(block: Array) -> Array:
+        return block + push(block)
+
     for coordinate, function, harmonic, block in _generate_electrode_errors(where):
-        force = integrate(growth * block)
-        add("pick-off", (coordinate, function, harmonic), block + force)
+        key = ("gyro_angle", coordinate, function, harmonic)
+        yield _make_term(*key, "pick-off"), block, push_and_show
         if coordinate == "wave_angle":
-            add("drive", (coordinate, function, harmonic), force)
-    return terms
+            yield _make_term(*key, "drive"), block, push
 
 
 def _generate_products(where: Coordinates) -> Functions:
@@ -118,30 +134,30 @@ def _generate_electrode_errors(where: Coordinates) -> Functions:
         yield "amplitude", words, None, harmonic * where.amplitude[:, None]
 
 
-def _build_drive_gains(where: Coordinates, channel: str) -> Columns:
+def _generate_drive_gains(where: Coordinates, channel: str) -> Iterator[PlacedTerm]:
     """Gains of the drive that follow the pattern angle: the commanded forces are smaller by them,
     and the commanded rotation is larger."""
-    terms: Columns = []
-    for m in ELECTRODE_HARMONICS:
-        gain = make_harmonic(m * where.pattern_angle)
+    log = where.test.log
+    force = "growth_rate" if channel == "amplitude_force" else "quadrature_force"
+
+    def weaken(gain: Array) -> Array:
         if channel == "gyro_angle":
-            values = -np.cumsum(gain * where.test.log.virtual_rotation[:, None], axis=0)
-            values *= where.test.log.interval
-        else:
-            force = "growth_rate" if channel == "amplitude_force" else channel
-            values = -gain * getattr(where, force)[:, None]
+            return -np.cumsum(gain * log.virtual_rotation[:, None], axis=0) * log.interval
+        return np.asarray(-gain * getattr(where, force)[:, None])
+
+    for m in ELECTRODE_HARMONICS:
         term = _make_term("amplitude_force", "wave_angle", HARMONIC.format(m), m, "drive gain")
-        terms.append((term, values))
-    return terms
+        yield term, make_harmonic(m * where.pattern_angle), weaken
 
 
-def _build_free_decay(where: Coordinates) -> Columns:
+def _generate_free_decay(where: Coordinates) -> Iterator[PlacedTerm]:
     """What damping that follows the amplitude makes of the amplitude while the drive is off."""
     log = where.test.log
     free = (log.drive_on <= 0)[:, None] * log.interval
-    level = where.level[:, None]
-    return [
-        (_make_term("amplitude_force", "amplitude", function), -level * np.cumsum(free * block, 0))
-        for coordinate, function, _, block in where.functions
-        if coordinate == "amplitude"
-    ]
+
+    def decay(block: Array) -> Array:
+        return np.asarray(-where.level[:, None] * np.cumsum(free * block, 0))
+
+    for coordinate, function, _, block in where.functions:
+        if coordinate == "amplitude":
+            yield _make_term("amplitude_force", "amplitude", function), block, decay

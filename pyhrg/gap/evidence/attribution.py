@@ -14,13 +14,12 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue, Effect
-from pyhrg.gap.effects.design import Design, Group, LinearTest, compute_excess_power
+from pyhrg.gap.effects.design import Design, compute_excess_power
+from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.effects.sensitivities import compute_sensitivities, linearize_test
-from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2, rank_with_form_error
+from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2, list_large_terms, rank_with_forms
 from pyhrg.gap.evidence.hypothesis import (
-    NO_ERROR,
     Hypothesis,
-    TermError,
     estimate_nominal_noise,
     rank_under_noise,
 )
@@ -144,7 +143,6 @@ class _Iteration:
     _differentiated_at: gyro at which all sensitivities were taken last.
     _linearization_error: allowed linearization error, as chi-square.
     _error_limit: upper limit of the next one.
-    _term_error: what the best set's candidate terms may miss.
     _visited_sets: most probable set of each round so far.
     _compared_groups: set of effects for which the noises were compared last.
     """
@@ -161,7 +159,6 @@ class _Iteration:
         self._to_differentiate: Collection[Effect] = catalogue.parameters
         self._differentiated_at = nominal
         self._linearization_error = self._error_limit = math.inf
-        self._term_error: TermError = NO_ERROR
         self._visited_sets: list[frozenset[Group]] = []
         self._compared_groups: tuple[Group, ...] | None = None
         self.device = nominal
@@ -218,7 +215,7 @@ class _Iteration:
         if self._linearization_error:
             self._allow_linearization_error(LINEARIZATION_ERROR * length**2, hypothesis)
         is_rough = self._linearization_error > 0 and self._error_limit == math.inf
-        if is_rough or self._term_error:  # noise must not stand in for what terms miss
+        if is_rough or list_large_terms(hypothesis):  # their response is curved
             self.posterior = Posterior((hypothesis,), (1.0,))
         elif hypothesis.ranking.best.groups == self._compared_groups:
             others = self.posterior.hypotheses[1:]
@@ -230,13 +227,11 @@ class _Iteration:
         return self.posterior.best
 
     def _rank(self) -> Hypothesis:
-        """Sets under the present noise, at last beside what terms may miss."""
+        """Sets under the present noise, at last beside the forms that terms may have."""
         nominal, parts, error = self._nominal, self.parts, self._linearization_error
-        hypothesis = rank_under_noise(self.noise, nominal, parts, error)
-        self._term_error = NO_ERROR
-        if not error:
-            hypothesis, self._term_error = rank_with_form_error(hypothesis, nominal, parts)
-        return hypothesis
+        if error:
+            return rank_under_noise(self.noise, nominal, parts, error)
+        return rank_with_forms(self.noise, nominal, parts)
 
     def _allow_linearization_error(self, chi2: float, hypothesis: Hypothesis) -> None:
         """Allow this error. Where the search returns to a set that it had left, it may alternate

@@ -8,16 +8,18 @@ R. E. Kass, A. E. Raftery, J. Am. Stat. Assoc. 90 (1995), Eq. (3)).
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import cache
+from itertools import accumulate
 from typing import TypeVar
 
 import numpy as np
-from scipy.linalg import LinAlgError, cho_factor, cho_solve
-from scipy.special import gammaln
+from scipy.linalg.lapack import dpotrf, dpotrs
 
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.design import Design, Group
+from pyhrg.gap.effects.design import Design
+from pyhrg.gap.effects.linear_test import Group
 
 AnyGroup = TypeVar("AnyGroup", bound=Group)
 
@@ -84,44 +86,43 @@ def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
     if not groups:
         return Fit((), 0.0, 0.0, (), ())
     groups = sorted(groups, key=lambda group: isinstance(group, CandidateTerm))
+    ends = list(accumulate(len(design.columns[group]) for group in groups))
+    parts = [slice(end - len(design.columns[g]), end) for g, end in zip(groups, ends, strict=True)]
     where = np.concatenate([design.columns[g] for g in groups])
     gram = design.gram[where[:, None], where]
-    try:
-        factor = cho_factor(gram)
-    except LinAlgError:
+    factor, failed = dpotrf(gram)
+    diagonal = factor.diagonal()
+    if failed or any(
+        (diagonal[part] ** 2).min() < min_free_variance(group)
+        for group, part in zip(groups, parts, strict=True)
+    ):
         return None
-    diagonal = np.diag(factor[0])
-    thresholds = np.repeat(
-        [min_free_variance(g) for g in groups], [len(design.columns[g]) for g in groups]
-    )
-    if (diagonal**2 < thresholds).any():
-        return None
-    unit = cho_solve(factor, design.projection[where])
-    explained = float(design.projection[where] @ unit)
-    scale = 1 / design.norms[where]
-    inverse = cho_solve(factor, np.eye(len(where)))
+    projection = design.projection[where]
+    unit = dpotrs(factor, projection)[0]
+    explained = float(projection @ unit)
     log_evidence = explained / 2 - float(np.log(diagonal).sum())
-    covariance = inverse * np.outer(scale, scale)
-    values, covariances, begin = [], [], 0
-    for group in groups:
-        part = slice(begin, begin + len(design.columns[group]))
-        own = gram[part, part]
-        constant = (part.stop - begin) / 2 * math.log(2 * math.pi)
-        log_evidence += _log_prior(own, unit[part]) + constant
-        values.append(unit[part] * scale[part])
-        covariances.append(covariance[part, part])
-        begin = part.stop
-    return Fit(tuple(groups), log_evidence, explained, tuple(values), tuple(covariances))
+    for group, part in zip(groups, parts, strict=True):
+        own, size = unit[part], part.stop - part.start
+        length = math.sqrt(max(float(own @ gram[part, part] @ own), size))
+        log_evidence += _prior_constant(size) - size * math.log(length)
+        log_evidence += design.log_volumes[group]
+    scale = 1 / design.norms[where]
+    covariance = dpotrs(factor, np.eye(len(where)))[0] * np.outer(scale, scale)
+    values = unit * scale
+    return Fit(
+        tuple(groups),
+        log_evidence,
+        explained,
+        tuple(values[part] for part in parts),
+        tuple(covariance[part, part] for part in parts),
+    )
 
 
 def log_evidence(power: Array, size: int) -> Array:
     """Log evidence of a single group of `size` orthonormal columns over the empty set (Eq. (5)),
     for each of the (n,) decreases of chi-square by it."""
     length = np.sqrt(np.maximum(power, size))
-    prior = (
-        -_log_sphere_area(size) - size * np.log(length) - math.log(math.log(MAX_PRIOR_SIZE_SIGMA))
-    )
-    return np.asarray(power / 2 + size / 2 * math.log(2 * math.pi) + prior)
+    return np.asarray(power / 2 + _prior_constant(size) - size * np.log(length))
 
 
 def min_free_variance(group: Group) -> float:
@@ -129,23 +130,13 @@ def min_free_variance(group: Group) -> float:
     return TERM_MIN_VARIANCE if isinstance(group, CandidateTerm) else EFFECT_MIN_VARIANCE
 
 
-def _log_prior(information: Array, values: Array) -> float:
-    """Log prior density of a group's (d,) size, given the (d, d) Fisher information of the group
-    alone (Eq. (4))."""
-    d = len(values)
-    length = math.sqrt(max(float(values @ information @ values), d))
-    volume = float(np.linalg.slogdet(information)[1]) / 2
+@cache
+def _prior_constant(d: int) -> float:
+    """What the prior of a size with d components adds to any log evidence (Eqs. (4), (5))."""
+    log_sphere_area = math.log(2) + d / 2 * math.log(math.pi) - math.lgamma(d / 2)
     return (
-        volume
-        - _log_sphere_area(d)
-        - d * math.log(length)
-        - math.log(math.log(MAX_PRIOR_SIZE_SIGMA))
+        d / 2 * math.log(2 * math.pi) - log_sphere_area - math.log(math.log(MAX_PRIOR_SIZE_SIGMA))
     )
-
-
-def _log_sphere_area(d: int) -> float:
-    """Log area of the unit sphere in d dimensions."""
-    return math.log(2) + d / 2 * math.log(math.pi) - float(gammaln(d / 2))
 
 
 def find_equivalents(

@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.common.arrays import Array
-from pyhrg.gap.effects.design import Design, Group
+from pyhrg.gap.effects.design import Design
+from pyhrg.gap.effects.linear_test import Group
 from pyhrg.gap.evidence.evidence import min_free_variance
 
 

@@ -1,74 +1,84 @@
 """What candidate terms may miss because a cause without a name has another form than they have.
 
-The share of their power that they miss must be read neither as other terms nor as noise. It counts
-as noise where the terms act, and is never more than what they leave of the residual
-(docs/methods/evidence.md, Eq. 10a).
+Under each noise, sets are ranked again beside the forms that the terms of the most probable set may
+have in truth (docs/methods/evidence.md, Eq. 10a).
 """
 
-from collections.abc import Mapping, Sequence
-
-import numpy as np
+from collections.abc import Sequence
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
-from pyhrg.gap.effects.candidate_terms import CandidateTerm
-from pyhrg.gap.effects.design import (
-    Group,
-    LinearTest,
-    TestChannel,
-    measure_excess,
-    measure_power,
-    whiten_rows,
-)
-from pyhrg.gap.effects.term_columns import compute_response
-from pyhrg.gap.evidence.hypothesis import Hypothesis, TermError, rank_under_noise
-from pyhrg.gap.replay.observations import CHANNELS
+from pyhrg.gap.effects.candidate_terms import CandidateTerm, Family
+from pyhrg.gap.effects.design import measure_power
+from pyhrg.gap.effects.form import find_forms
+from pyhrg.gap.effects.jump import Jump
+from pyhrg.gap.effects.linear_test import LinearTest
+from pyhrg.gap.evidence.hypothesis import NO_ERROR, FormError, Hypothesis, rank_under_noise
+from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 
-FORM_ERROR = 1e-2
-"""Share of a candidate term's power that may remain in the residual because the cause has another
-form. Chosen: a tenth of its amplitude."""
+FORM_ERROR = 0.03
+"""Standard deviation of each form's size, over the magnitude of the cause. Chosen."""
+MAX_ROUNDS = 6
+"""Rankings after which the most probable hypothesis is kept. Chosen."""
 NEGLIGIBLE_CHI2 = 1.0
 """Error, as chi-square, that counts as zero: the power of a row's noise. Chosen."""
 
 
-def rank_with_form_error(
-    first: Hypothesis, nominal: Device, parts: Sequence[LinearTest]
-) -> tuple[Hypothesis, TermError]:
-    """Rank sets again beside what the terms of the most probable set may miss, and that error.
-
-    The first time it is a share of the terms' power. Then it is that of the terms that are left,
-    and no more than what the set with them leaves of the residual: an effect has its own form.
-    """
-    error = _allow_form_error(first, parts)
-    if not error:
-        return first, error
-    rough = rank_under_noise(
-        first.noise, nominal, parts, term_error=error, start=first.ranking.best.groups
-    )
-    left = measure_excess(rough.exact.whole, rough.sizes)
-    allowed = _allow_form_error(rough, parts)
-    error = _drop_negligible({where: min(e, left[where]) for where, e in allowed.items()})
-    start = rough.ranking.best.groups
-    return rank_under_noise(first.noise, nominal, parts, term_error=error, start=start), error
-
-
-def _allow_form_error(hypothesis: Hypothesis, parts: Sequence[LinearTest]) -> TermError:
-    """Chi-square that the terms of the most probable set may miss where they act. Where they read
-    the angle wrongly, other channels are compared at a wrong angle."""
-    all_sizes = hypothesis.ranking.best.sizes.items()
-    terms = [(g, size) for g, size in all_sizes if isinstance(g, CandidateTerm)]
-    if not terms:
-        return {}
-    powers = measure_power(hypothesis.exact.whole, dict[Group, Array](terms))
-    readings = {g: size for g, size in terms if g.is_reading_error}
-    for part in parts if readings else ():
-        angle = compute_response(part.where, "gyro_angle", readings)[:, None]
-        for channel in CHANNELS[1:]:
-            moved = part.at_measured_angle(np.zeros_like(angle), angle, channel)
-            white = whiten_rows(part, channel, moved, hypothesis.channel_noise).series
-            powers[part.test.test.id, channel] += float((white**2).sum())
-    return _drop_negligible({where: FORM_ERROR * power for where, power in powers.items()})
+def rank_with_forms(
+    noise: NoiseHypothesis,
+    nominal: Device,
+    parts: Sequence[LinearTest],
+    start: Hypothesis | None = None,
+) -> Hypothesis:
+    """Rank sets under a noise beside the forms of the causes for which the terms of the most
+    probable set stand, until these terms stay. Forms of one more cause are allowed at a time, the
+    strongest first: what one term misses may look like many others. Where sets come back, the most
+    probable hypothesis is kept of those that have all terms whose forms they have. The search may
+    start from a hypothesis."""
+    ranked: dict[tuple[CandidateTerm, ...], Hypothesis] = {}
+    forms, known = (start.forms, start.ranking.best.groups) if start else (NO_ERROR, ())
+    for _ in range(MAX_ROUNDS):
+        hypothesis = rank_under_noise(noise, nominal, parts, start=known, forms=forms)
+        ranked[forms.terms] = hypothesis
+        known, before = hypothesis.ranking.best.groups, forms.terms
+        forms = _allow_forms(hypothesis, parts)
+        if forms.terms == before:
+            return hypothesis
+        if forms.terms in ranked:
+            break
+    whole = [h for h in ranked.values() if set(h.forms.terms) <= set(h.ranking.best.groups)]
+    return max(whole, key=lambda h: h.log_posterior, default=hypothesis)
 
 
-def _drop_negligible(error: Mapping[TestChannel, float]) -> TermError:
-    return {where: chi2 for where, chi2 in error.items() if chi2 > NEGLIGIBLE_CHI2}
+def _allow_forms(hypothesis: Hypothesis, parts: Sequence[LinearTest]) -> FormError:
+    """Forms of the causes for which large terms stand: of those that had them before, and of the
+    strongest other one."""
+    by_family: dict[Family, dict[CandidateTerm, Array]] = {}
+    for term, size in list_large_terms(hypothesis).items():
+        by_family.setdefault(term.family, {})[term] = size
+    powers = {
+        family: measure_power(hypothesis.exact.whole, sizes) for family, sizes in by_family.items()
+    }
+    allowed = {term.family for term in hypothesis.forms.terms}
+    new = sorted(powers.keys() - allowed, key=lambda family: -powers[family])[:1]
+    kept = [sizes for family, sizes in by_family.items() if family in (*allowed, *new)]
+    tests = [part.where for part in parts]
+    sigmas = {
+        form: FORM_ERROR * magnitude
+        for sizes in kept
+        for form, magnitude in find_forms(sizes, tests).items()
+    }
+    terms = sorted((term for sizes in kept for term in sizes), key=lambda term: term.words)
+    return FormError(sigmas, tuple(terms))
+
+
+def list_large_terms(hypothesis: Hypothesis) -> dict[CandidateTerm, Array]:
+    """Size of each term of the most probable set whose form error is not negligible."""
+    design = hypothesis.exact.whole
+    return {
+        term: size
+        for term, size in hypothesis.ranking.best.sizes.items()
+        if isinstance(term, CandidateTerm) and not isinstance(term, Jump)
+        if not term.is_of_each_power_on
+        if FORM_ERROR**2 * measure_power(design, {term: size}) > NEGLIGIBLE_CHI2
+    }

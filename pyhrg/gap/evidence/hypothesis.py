@@ -13,14 +13,14 @@ from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import (
     Design,
-    Group,
-    LinearTest,
     TestChannel,
     build_design,
     compute_excess_power,
     discount_model_error,
 )
+from pyhrg.gap.effects.form import Form
 from pyhrg.gap.effects.known_parameters import KnownParameters
+from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.evidence.evidence import Fit
 from pyhrg.gap.evidence.jump_search import find_jumps, find_steps
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
@@ -34,9 +34,21 @@ MODEL_ERROR_POWER = 1e-10
 Derived: two simulators of the same physics, written independently, agree to 1e-5 of a response."""
 
 
-TermError = Mapping[TestChannel, float]
-"""Chi-square that candidate terms may get wrong in a channel of a test (Eq. (10a)); 0 elsewhere."""
-NO_ERROR: TermError = {}
+@dataclass(frozen=True)
+class FormError:
+    """Forms that causes may have for which terms stand, with the standard deviations of their
+    sizes, and these terms (Eq. (10a))."""
+
+    sigmas: Mapping[Form, float]
+    terms: tuple[CandidateTerm, ...]
+
+    @property
+    def groups(self) -> tuple[CandidateTerm, ...]:
+        """The terms and their forms."""
+        return *self.terms, *self.sigmas
+
+
+NO_ERROR = FormError({}, ())
 SIGNIFICANT_SIGMA = 3.0
 """Departure of a known parameter, in its standard deviation, above which it counts as off. Chosen:
 with 15 parameters that are right, one campaign in 25 has a false departure."""
@@ -47,8 +59,10 @@ class Hypothesis:
     """A noise of the output angle, and the sets of effects ranked under it.
 
     channel_noise: noise of all channels.
-    known: normal equations, whitened with it, and the parameters that are known within a tolerance.
+    known: normal equations, whitened with it, and what is known within a tolerance: parameters, and
+        the forms of terms.
     exact: the same without the linearization error, which measures distances.
+    forms: of the terms of the most probable set.
     """
 
     noise: NoiseHypothesis
@@ -56,6 +70,7 @@ class Hypothesis:
     known: KnownParameters
     ranking: Ranking
     exact: KnownParameters
+    forms: FormError = NO_ERROR
 
     @property
     def design(self) -> Design:
@@ -69,8 +84,9 @@ class Hypothesis:
 
     @property
     def sizes(self) -> dict[Group, Array]:
-        """Sizes of the most probable set, and departures of the known parameters beside it."""
-        return {**self.ranking.best.sizes, **dict[Group, Array](self.known_sizes.items())}
+        """Sizes of the most probable set, and departures of the known parameters and of the terms'
+        forms beside it."""
+        return self.known.complete(self.ranking.best.sizes)
 
     @property
     def effect_sizes(self) -> dict[Effect, Array]:
@@ -162,8 +178,8 @@ def rank_under_noise(
     nominal: Device,
     parts: Sequence[LinearTest],
     linearization_error: float = 0.0,
-    term_error: TermError = NO_ERROR,
     start: Collection[Group] = (),
+    forms: FormError = NO_ERROR,
 ) -> Hypothesis:
     """Rank sets of effects and candidate terms under one noise of the output angle.
 
@@ -173,33 +189,34 @@ def rank_under_noise(
     that is the most probable under another noise.
     """
     nominal_noise = estimate_nominal_noise(nominal, parts)
-    response = model_error_power(compute_excess_power(parts, nominal_noise))
-    model_error = {w: power + term_error.get(w, 0.0) for w, power in response.items()}
+    model_error = model_error_power(compute_excess_power(parts, nominal_noise))
     channel_noise = replace(nominal_noise, angle=noise.noise)
-    exact = build_design(parts, channel_noise)
+    exact = build_design(parts, channel_noise, forms=forms.groups)
     tolerances = _list_tolerances(nominal, parts)
-    known = KnownParameters(discount_model_error(exact, model_error), tolerances)
+    tolerances.update(forms.sigmas.items())
+    known = KnownParameters(discount_model_error(exact, model_error), tolerances, forms.terms)
     if linearization_error:
         error = {where: linearization_error + power for where, power in model_error.items()}
         rough = KnownParameters(discount_model_error(exact, error), tolerances)
         return Hypothesis(noise, channel_noise, rough, rank_sets(rough.marginal), known)
     is_feasible = make_feasibility_check(nominal, parts[0].sensitivities)
     ranking = rank_sets(known.marginal, is_feasible, start)
-    hypothesis = Hypothesis(noise, channel_noise, known, ranking, known)
+    hypothesis = Hypothesis(noise, channel_noise, known, ranking, known, forms)
     removed = distinct_by_groups(hypothesis.sizes, hypothesis.effect_sizes)
     residuals = [
         compute_residuals(parts, r, channel_noise, nominal, ("gyro_angle",)) for r in removed
     ]
     quantum, _ = find_quantization_step([part.test for part in parts]) or (0.0, 0.0)
     if jumps := {jump for r in residuals for jump in (*find_jumps(r), *find_steps(r, quantum))}:
-        exact = build_design(parts, channel_noise, sorted(jumps, key=lambda jump: jump.words))
-        known = KnownParameters(discount_model_error(exact, model_error), tolerances)
+        ordered = sorted(jumps, key=lambda jump: jump.words)
+        exact = build_design(parts, channel_noise, ordered, forms.groups)
+        known = KnownParameters(discount_model_error(exact, model_error), tolerances, forms.terms)
         ranking = rank_sets(known.marginal, is_feasible, ranking.best.groups)
-        hypothesis = Hypothesis(noise, channel_noise, known, ranking, known)
+        hypothesis = Hypothesis(noise, channel_noise, known, ranking, known, forms)
     return hypothesis
 
 
-def _list_tolerances(nominal: Device, parts: Sequence[LinearTest]) -> dict[Effect, float]:
+def _list_tolerances(nominal: Device, parts: Sequence[LinearTest]) -> dict[Effect | Form, float]:
     """Tolerance of each known parameter, SI."""
     known = [effect for effect in parts[0].sensitivities if effect.family != "gyro"]
     return {effect: effect.tolerance_of(nominal) for effect in known}

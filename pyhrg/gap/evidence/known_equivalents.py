@@ -7,13 +7,14 @@ classes").
 
 import math
 from collections.abc import Collection, Iterable
+from dataclasses import replace
 
 import numpy as np
 
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.design import Group
 from pyhrg.gap.effects.known_parameters import KnownParameters
+from pyhrg.gap.effects.linear_test import Group
 from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS, Fit, fit
 from pyhrg.gap.evidence.hypothesis import make_feasibility_check, sigma_along
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95
@@ -54,7 +55,7 @@ def _score_set(
     within it may have any size, the others have their tolerances; only the allowed ones may be
     beyond. Minus infinity where they are, the sizes can't be told apart, or no gyro has them."""
     tolerances = {e: size for e, size in known.tolerances.items() if e not in groups}
-    beside = KnownParameters(known.whole, tolerances)
+    beside = replace(known, tolerances=tolerances)
     design = beside.marginal
     if not set(groups) <= set(design.groups):
         return -math.inf
@@ -72,7 +73,7 @@ def _find_beyond(known: KnownParameters, fitted: Fit) -> set[Effect]:
     sizes, covariances = known.estimate(fitted.sizes), known.compute_covariances(fitted.groups)
     return {
         effect
-        for effect, size in sizes.items()
+        for effect, size in ((e, sizes[e]) for e in known.effects)
         if float(np.linalg.norm(size)) - known.tolerances[effect]
         > NORMAL_95 * sigma_along(size, covariances[effect])
     }

@@ -13,9 +13,10 @@ from scipy.special import softmax
 
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import NoiseEffect
-from pyhrg.gap.effects.design import Group, LinearTest
+from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS
-from pyhrg.gap.evidence.hypothesis import NO_ERROR, Hypothesis, TermError, rank_under_noise
+from pyhrg.gap.evidence.form_error import rank_with_forms
+from pyhrg.gap.evidence.hypothesis import Hypothesis
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
 from pyhrg.gap.evidence.noise.noise_search import drop_each_noise, fit_rival_noises
@@ -90,7 +91,6 @@ def compare_noises(
     nominal: Device,
     parts: Sequence[LinearTest],
     noises: Sequence[NoiseEffect],
-    term_error: TermError = NO_ERROR,
 ) -> Posterior:
     """Compare a hypothesis with others that have another noise of the output angle. The
     linearization error is negligible around its gyro.
@@ -107,9 +107,7 @@ def compare_noises(
         """The noise of this residual, the same without each of its noises, and beside a noise
         without a name those of the catalogue. The known parameters were estimated under another
         noise, so that the residual alone does not decide between these."""
-        residuals = compute_residuals(
-            parts, removed, best.channel_noise, nominal, ("gyro_angle",), term_error
-        )
+        residuals = compute_residuals(parts, removed, best.channel_noise, nominal, ("gyro_angle",))
         noise, *named = fit_rival_noises(residuals, stated, noises)
         return [noise, *drop_each_noise(noise, residuals, stated), *named]
 
@@ -124,8 +122,7 @@ def compare_noises(
         for noise in [noise for removed in due for noise in fit_noises(removed)]:
             known = by_kind.get(noise.kind)
             if known is None or not are_equal(known.noise.noise, noise.noise):
-                start = best.ranking.best.groups
-                rival = rank_under_noise(noise, nominal, parts, 0.0, term_error, start)
+                rival = rank_with_forms(noise, nominal, parts, best)
                 by_kind[noise.kind] = max(known or rival, rival, key=_LOG_POSTERIOR)
         best = max(by_kind.values(), key=_LOG_POSTERIOR)
     order = sorted(by_kind.values(), key=_LOG_POSTERIOR, reverse=True)

@@ -8,9 +8,12 @@ import numpy as np
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.design import Group, LinearTest, TestChannel
+from pyhrg.gap.effects.design import TestChannel
+from pyhrg.gap.effects.form import Form, build_form_columns, build_reading_columns
 from pyhrg.gap.effects.jump import Jump
+from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.replay.observations import CHANNELS, Mask
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
@@ -78,6 +81,9 @@ def compute_residuals(
     residuals = []
     for index, part in enumerate(parts):
         angle = _subtract(part, of_output, "gyro_angle", index)[:, None]
+        terms = [g for g in removed if isinstance(g, CandidateTerm)]
+        for group, values in build_reading_columns(part.where, terms):
+            angle -= (values @ removed[group])[:, None]
         for channel in channels:
             series = _subtract(part, removed, channel, index)[:, None]
             values = part.at_measured_angle(series, angle, channel)[:, 0]
@@ -111,7 +117,12 @@ def _subtract(part: LinearTest, removed: Removed, channel: str, index: int) -> A
     """(n,) residual of a channel in the test of this index, less the groups' responses."""
     residual = part.residual[channel].copy()
     terms = {g for g in removed if not isinstance(g, Effect)}
-    columns = dict(build_term_columns(part.where, channel)) if terms else {}
+    columns: dict[Group, Array] = {}
+    if terms:
+        columns |= build_term_columns(part.where, channel)
+        columns |= build_form_columns(
+            part.where, channel, [g for g in terms if isinstance(g, Form)]
+        )
     jumps = {g for g in terms if isinstance(g, Jump) and g.channel == channel}
     columns |= {jump: jump.columns(part.where) for jump in jumps}
     for group, size in removed.items():

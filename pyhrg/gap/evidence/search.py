@@ -12,8 +12,9 @@ import numpy as np
 from scipy.special import logsumexp
 
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.design import Design, Group
+from pyhrg.gap.effects.design import Design
 from pyhrg.gap.effects.jump import Jump
+from pyhrg.gap.effects.linear_test import Group
 from pyhrg.gap.evidence.evidence import EFFECT_ODDS, UNNAMED_ODDS, Fit, fit
 from pyhrg.gap.evidence.extension import Extensions
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.gap.effects.design import LinearTest, whiten_rows
+from pyhrg.gap.effects.linear_test import LinearTest, whiten_rows
 from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
 

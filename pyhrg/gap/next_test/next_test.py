@@ -23,14 +23,13 @@ from pyhrg.gap.effects.candidate_terms import compute_coordinates
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import (
     Design,
-    Group,
-    LinearTest,
     Sizes,
     build_design,
     compute_excess_power,
     discount_model_error,
 )
 from pyhrg.gap.effects.jump import Jump
+from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.effects.sensitivities import compute_sensitivities
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.hypothesis import model_error_power

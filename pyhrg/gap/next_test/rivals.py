@@ -5,7 +5,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.design import Design, Group, list_forms
+from pyhrg.gap.effects.design import Design, list_forms
+from pyhrg.gap.effects.linear_test import Group
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS, Fit, find_equivalents
 from pyhrg.gap.evidence.hypothesis import Hypothesis

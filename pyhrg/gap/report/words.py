@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pyhrg.device.device import Device
 from pyhrg.device.keys import KEYS
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.design import Group
+from pyhrg.gap.effects.linear_test import Group
 from pyhrg.gap.soundness.fault import SOUND_VALUES
 
 SUFFIXES = {

@@ -63,10 +63,10 @@ class CampaignNoise:
 
     def get_model(self, channel: str, test: ObservedTest, rows: Mask | None = None) -> NoiseModel:
         """Noise of a channel in a test, or in some rows (docs/methods/whitening.md, Eqs. 13-17)."""
-        own = self._get_own_model(channel, test)
+        own = self.get_own_model(channel, test)
         return own.add_reading_noise(test.read_noise(channel, rows))
 
-    def _get_own_model(self, channel: str, test: ObservedTest) -> NoiseModel:
+    def get_own_model(self, channel: str, test: ObservedTest) -> NoiseModel:
         """Noise of a channel that is the same in all rows of a test."""
         if channel == "gyro_angle":
             return self.angle

@@ -10,7 +10,7 @@ from pyhrg.challenge.case import Case, Fmus
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.gap.diagnose import diagnose
-from pyhrg.gap.effects.design import LinearTest
+from pyhrg.gap.effects.linear_test import LinearTest
 from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records.campaign import Campaign

@@ -5,7 +5,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.gap.effects.design import Block, Design, Group
+from pyhrg.gap.effects.design import Block, Design
+from pyhrg.gap.effects.linear_test import Group
 
 
 def design_of(

@@ -80,13 +80,19 @@ SAMPLED = {
     "started": ("1 from the first sample on", "1"),
 }  # fmt: skip
 """Meaning and equation, every 10 ms, of variables with a memory; they are steady at power-on."""
+RATE = "    angularRate = angularRate"
+RATE_WITH_BIAS = """    angularRate = angularRate + addedRate,
+    pickOff(turning = (1 - gyro.controller.forceToRebalance)
+      *2*gyro.controller.readout.bryanFactor*(virtualRotation*driveOn - angularRate))"""
+"""Input rate of the inner gyro with a bias, which may follow the angle that the pick-offs read: how
+these are skewed by a turning pattern then follows the rate of the case alone."""
 TEXT = """model {name} "{title}"
   extends HRG.Interfaces.PartialGyro{starts};
 {parameters}{variables}  HRG.Gyroscopes.HRGEnvelope gyro(
     seed = seed,
     startAngle = startAngle,
     startAmplitude = startAmplitude,
-    angularRate = angularRate{rate},
+{rate},
 {held}{modifiers}) "The identified gyro, its causes put in";
 equation
 {equations}
@@ -114,7 +120,7 @@ def write_class(device: Device, terms: Sequence[Term], title: str, notes: Sequen
         starts=f"({starts})" if starts else "",
         parameters="".join(_declare_parameters(t) for t in terms),
         variables=_declare_variables(used, added),
-        rate=" + addedRate" if "addedRate" in added else "",
+        rate=RATE_WITH_BIAS if "addedRate" in added else RATE,
         held=",\n".join(f"    {name} = {name}" for name in INPUTS),
         modifiers=f",\n    {modifiers}" if modifiers else "",
         equations=_write_equations(device, terms, used, added),

@@ -16,12 +16,12 @@ from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu
 from pyhrg.gap.closing.equation.proposal import list_coefficients, make_terms
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import NoiseEffect
-from pyhrg.gap.effects.design import LinearTest, whiten_rows
+from pyhrg.gap.effects.form import build_reading_columns
+from pyhrg.gap.effects.linear_test import LinearTest, whiten_rows
 from pyhrg.gap.effects.sensitivities import linearize_test
 from pyhrg.gap.effects.term_columns import compute_response
 from pyhrg.gap.evidence.attribution import Attribution
-from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2, rank_with_form_error
-from pyhrg.gap.evidence.hypothesis import rank_under_noise
+from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2, rank_with_forms
 from pyhrg.gap.evidence.posterior import Posterior, compare_noises
 from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels, replay_sampled
@@ -97,9 +97,8 @@ def _search_around(
 ) -> Attribution:
     """The search with newly linearized tests."""
     nominal, best = attribution.nominal, attribution.posterior.best
-    known = rank_under_noise(best.noise, nominal, parts, start=best.ranking.best.groups)
-    first, error = rank_with_form_error(known, nominal, parts)
-    posterior = compare_noises(first, nominal, parts, noises, error)
+    first = rank_with_forms(best.noise, nominal, parts, best)
+    posterior = compare_noises(first, nominal, parts, noises)
     return replace(attribution, parts=parts, posterior=posterior)
 
 
@@ -113,7 +112,8 @@ def _linearize(
     """A test linearized around a device with terms; its residual is referred to no terms.
 
     Other channels are compared at the measured angle, to which the terms have turned the pattern.
-    What the terms add to the output angle's residual is therefore taken out of them again.
+    What the terms add to the output angle's residual is therefore taken out of them again, but for
+    errors of the reading, which make the comparison wrong.
     """
     around = linearize_test(
         simulation, nominal, part.device, part.test, answers, part.sensitivities
@@ -122,6 +122,8 @@ def _linearize(
     for channel in residual:
         residual[channel] = residual[channel] + compute_response(around.where, channel, sizes)
     turned = residual["gyro_angle"] - around.residual["gyro_angle"]
+    for term, values in build_reading_columns(around.where, sizes):
+        turned = turned - values @ sizes[term]
     for channel in residual:
         if channel != "gyro_angle":
             slope = around.bryan_factor * around.slopes[channel]

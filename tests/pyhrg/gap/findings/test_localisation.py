@@ -7,7 +7,8 @@ import pytest
 
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
-from pyhrg.gap.effects.design import Block, Group
+from pyhrg.gap.effects.design import Block
+from pyhrg.gap.effects.linear_test import Group
 from pyhrg.gap.findings.localisation import locate_gap
 from tests.pyhrg.gap.made_up import design_of
 

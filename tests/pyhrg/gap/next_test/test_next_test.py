@@ -13,7 +13,8 @@ from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, HOUR, HZ
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.gap.effects.catalogue import EFFECTS, Catalogue, Effect
-from pyhrg.gap.effects.design import LinearTest, build_design
+from pyhrg.gap.effects.design import build_design
+from pyhrg.gap.effects.linear_test import LinearTest
 from pyhrg.gap.effects.sensitivities import compute_sensitivities, linearize_test
 from pyhrg.gap.evidence.attribution import Attribution, attribute_gap
 from pyhrg.gap.evidence.evidence import fit

@@ -1,0 +1,141 @@
+"""One test linearized around a simulated device, and its series whitened."""
+
+from collections.abc import Collection, Hashable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from pyhrg.common.arrays import Array
+from pyhrg.device.device import Device
+from pyhrg.gap.effects.candidate_terms import CandidateTerm, Coordinates
+from pyhrg.gap.effects.catalogue import Effect
+from pyhrg.gap.effects.form import Form, build_form_columns, build_reading_columns
+from pyhrg.gap.effects.jump import Jump
+from pyhrg.gap.effects.term_columns import build_term_columns
+from pyhrg.gap.replay.observations import ObservedTest
+from pyhrg.gap.replay.simulation import compute_carrier_terms
+from pyhrg.gap.whitening.channel_noise import CampaignNoise, compute_temperature_slopes
+from pyhrg.gap.whitening.whitening import WhitenedSeries, whiten
+
+Group = Effect | CandidateTerm
+"""What a group of the design's columns stands for."""
+
+
+@dataclass(frozen=True)
+class WhitenedTerms:
+    """Products of a channel's columns in a test, whitened.
+
+    sizes: number of columns of each candidate term, jump and form, in their order, after those of
+        the effects.
+    gram: (q, q) products; the residual is last.
+    """
+
+    sizes: Mapping[CandidateTerm, int]
+    gram: Array
+    log_determinant: float
+
+
+@dataclass(frozen=True)
+class LinearTest:
+    """One test linearized around a simulated device.
+
+    device: that is simulated.
+    simulated: (n,) by field of a log, of the device.
+    residual: (n,) by channel, record less simulation, referred to the nominal device.
+    sensitivities: (n, d) by channel, for each effect: change of a channel per unit of its vector.
+    where: coordinates of the rows.
+    slopes: (n,) by channel: derivative of a channel by the pattern angle, per rad.
+    bryan_factor: of the nominal device.
+    kept: last products of a channel, with what they were computed for.
+    """
+
+    test: ObservedTest
+    device: Device
+    simulated: Mapping[str, Array]
+    residual: Mapping[str, Array]
+    sensitivities: Mapping[Effect, Mapping[str, Array]]
+    where: Coordinates
+    slopes: Mapping[str, Array]
+    bryan_factor: float
+    kept: dict[str, tuple[Hashable, WhitenedTerms]] = field(
+        default_factory=dict, init=False, compare=False, repr=False
+    )
+
+    def responses(self, channel: str, outputs: Sequence[Jump] = ()) -> Array:
+        """(n, p + 1) sensitivities to all effects, steps of the output alone, and the residual."""
+        effects = [own[channel] for own in self.sensitivities.values()]
+        steps = [(channel == "gyro_angle") * jump.columns(self.where) for jump in outputs]
+        return np.column_stack([*effects, *steps, self.residual[channel]])
+
+    @cached_property
+    def unmodelled(self) -> Mapping[str, Array]:
+        """(n,) shapes by channel that the simulation lacks, of a size up to about 1: the next order
+        of the carrier's average, and of the thermometer's lag (docs/methods/whitening.md, Eq. 18).
+        """
+        device, interval = self.device, self.test.log.interval
+        shapes = dict(compute_carrier_terms(device, self.test, self.where.pattern_angle))
+        lag, where = device.thermometer_lag, self.where
+        bend = where.case_rate - (where.case - where.resonator) / device.thermal_lag
+        kelvin = lag * (lag + interval) / 2 / device.thermal_lag * bend
+        for channel, slope in compute_temperature_slopes(device).items():
+            shapes[channel] = shapes[channel] + slope * kelvin
+        return shapes
+
+    def at_measured_angle(self, series: Array, angles: Array, channel: str) -> Array:
+        """(n, p) series of a channel, referred to the measured pattern angle instead of the
+        simulated one; `angles` are the same series of the output angle, rad.
+
+        Noise that turns the pattern then appears in the output angle alone
+        (docs/methods/effects.md, Eq. 3).
+        """
+        if channel == "gyro_angle":
+            return series
+        return series + self.bryan_factor * self.slopes[channel][:, None] * angles
+
+
+def whiten_terms(
+    part: LinearTest,
+    channel: str,
+    outputs: Sequence[Jump],
+    jumps: Sequence[Jump],
+    forms: Collection[CandidateTerm],
+    noise: CampaignNoise,
+) -> WhitenedTerms:
+    """Products of a channel's columns. Those of the last noise and forms are kept: designs under
+    different noises of the output angle share the other channels."""
+    key = (noise.get_own_model(channel, part.test), tuple(outputs), tuple(forms))
+    kept = part.kept.get(channel)
+    if channel != "gyro_angle" and kept and kept[0] == key:
+        return kept[1]
+    candidates: list[tuple[CandidateTerm, Array]] = [
+        *build_term_columns(part.where, channel),
+        *build_form_columns(part.where, channel, [f for f in forms if isinstance(f, Form)]),
+    ]
+    if channel == "gyro_angle":
+        candidates += [(jump, jump.columns(part.where)) for jump in jumps]
+    else:
+        candidates += [
+            (group, part.at_measured_angle(np.zeros_like(values), values, channel))
+            for group, values in build_reading_columns(part.where, forms)
+        ]
+    responses = part.at_measured_angle(
+        part.responses(channel, outputs), part.responses("gyro_angle", outputs), channel
+    )
+    series = [responses[:, :-1], *(values for _, values in candidates), responses[:, -1]]
+    white = whiten_rows(part, channel, np.column_stack(series), noise)
+    sizes = {term: values.shape[1] for term, values in candidates}
+    terms = WhitenedTerms(sizes, white.series.T @ white.series, white.log_determinant)
+    if channel != "gyro_angle":
+        part.kept[channel] = key, terms
+    return terms
+
+
+def whiten_rows(
+    part: LinearTest, channel: str, series: Array, noise: CampaignNoise
+) -> WhitenedSeries:
+    """Whiten the compared rows of (n, p) series of a channel."""
+    rows = part.test.rows[channel]
+    steps = np.diff(part.test.log.time[rows], prepend=0.0)
+    unmodelled = part.unmodelled[channel][rows]
+    return whiten(series[rows], steps, noise.get_model(channel, part.test, rows), unmodelled)

@@ -71,7 +71,8 @@ static void decode(const Record *record, Situation *s) {
 static int has_possible_times(const Situation *s) {
   const Core *core = &s->core;
   if (s->stop_defined ? !(s->stop >= s->start) : s->stop != 0.0) return 0;
-  if (!(s->start >= EARLIEST_TIME && s->start <= LATEST_START && s->time <= LATEST_TIME)) return 0;
+  if (!(s->start >= EARLIEST_TIME && s->start <= LATEST_START)) return 0;
+  if (!(s->time >= s->start && s->time <= LATEST_TIME)) return 0;
   if (IN(s->phase) & BEFORE_STEPS)
     return s->time == s->start && core->ticks == 0 && core->offset == 0.0 && core->start == 0.0;
   return core->start == s->start && core_is_at(core, s->time);

@@ -9,6 +9,7 @@
 #include "limits.h"
 #include "model.h"
 
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -490,8 +491,14 @@ static void null_instance(void) {
   handle = own;
 }
 
+static void tell_hanging(int number) {
+  (void)number;
+  finding("the call has not ended after %d s", HANGING);
+}
+
 int main(int count, char **arguments) {
   if (count != 3) return 2;
+  signal(SIGALRM, tell_hanging);
   random_state = strtoull(arguments[1], NULL, 10);
   long calls = atol(arguments[2]);
   null_instance();

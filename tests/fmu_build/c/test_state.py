@@ -152,6 +152,7 @@ VALUES = 48 + 8 * 8
         (TICKS, struct.pack("<q", -5), "impossible times"),
         (TICKS, struct.pack("<q", 2**62), "impossible times"),
         (TIME, struct.pack("<d", float("nan")), "impossible times"),
+        (TIME, struct.pack("<d", float("-inf")), "impossible times"),
         (OFFSET, struct.pack("<d", 1e9), "impossible times"),
         ("seed", struct.pack("<d", 0.5), r"seed = 0.5, which is outside its range"),
         ("startAngle", struct.pack("<d", float("inf")), "startAngle = inf, which is outside"),

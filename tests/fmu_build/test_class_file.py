@@ -64,7 +64,7 @@ LOOP = "Real p = q; Real q = p;"
     ("text", "message"),
     [
         (
-            "model X Real a = " + "(" * 100_000 + "1" + ")" * 100_000 + "; end X;",
+            "model X Real a = " + "(\n" * 100_000 + "1" + ")\n" * 100_000 + "; end X;",
             r"failed \(status -",
         ),
         (GYRO.format(description="", body=TAKES_ALL_MEMORY), "status -.*1 GiB"),

@@ -12,7 +12,7 @@ block DriveErrors "Errors of the drives"
   parameter Units.RelativeForce authority(min = 0, max = 1e6) = 0 "A channel clips at this force, typically 0.01 to 0.2: a virtual rotation of 1 to 20 deg/s takes as much; 0: never";
   parameter Units.DimensionlessRatio gainPerVoltage(min = -2, max = 2) = 0
     "Change of both gains with the bias voltage over the nominal one, typically 1: a force is bias times command";
-  parameter Real ringErrors[9] "Errors of the electrode ring, as of ringErrors";
+  parameter Units.DimensionlessRatio ringErrors[9] "Errors of the electrode ring, as of ringErrors";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
   input Units.DimensionlessRatio biasVoltage "Over the nominal one";
   input Real temperatureRate(unit = "K/s") "Rate of the case's temperature";

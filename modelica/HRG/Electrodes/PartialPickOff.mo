@@ -28,7 +28,7 @@ partial block PartialPickOff "Errors of pick-offs, demodulation and converters"
     "y is sampled this time after x (one converter for both, electrodes read in turn), typically 5e-6 to 2e-4";
   parameter Units.DimensionlessRatio gainPerVoltage(min = -2, max = 2) = 0
     "Change of both gains with the bias voltage over the nominal one, typically 1 where the bias polarises the pick-offs, 0 with a carrier of their own";
-  parameter Real ringErrors[9] "Errors of the electrode ring, as of ringErrors";
+  parameter Units.DimensionlessRatio ringErrors[9] "Errors of the electrode ring, as of ringErrors";
   input Units.TemperatureDifference temperature "Above the reference";
   input Units.TemperatureDifference gradient "Case above the resonator";
   input Units.Time age "Time since power-on";

@@ -11,7 +11,7 @@ block Ring "Ring of electrodes around the shell: what an uneven gap makes of pic
   parameter Units.Angle thirdAxis(min = -1000, max = 1000) = 0 "Azimuth of a widest gap of it";
   parameter Units.DimensionlessRatio fourthHarmonic(min = 0, max = 0.2) = 0 "Fourth harmonic of the gap over its mean, typically 2e-4 to 5e-3 (estimate)";
   parameter Units.Angle fourthAxis(min = -1000, max = 1000) = 0 "Azimuth of a widest gap of it";
-  final parameter Real errors[9] = ringErrors(
+  final parameter Units.DimensionlessRatio errors[9] = ringErrors(
     electrodes, Constants.pi/electrodes*coverage,
     {eccentricity*cos(eccentricityAxis), secondHarmonic*cos(2*secondAxis), thirdHarmonic*cos(3*thirdAxis), fourthHarmonic*cos(4*fourthAxis)},
     {eccentricity*sin(eccentricityAxis), secondHarmonic*sin(2*secondAxis), thirdHarmonic*sin(3*thirdAxis), fourthHarmonic*sin(4*fourthAxis)})

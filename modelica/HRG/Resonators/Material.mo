@@ -34,7 +34,7 @@ block Material "Damping, stiffness and coupling of the shell under its environme
   parameter Units.DampingCoefficient supportLoss "Mean damping by the support";
   parameter Units.DampingCoefficient supportCos "Anisotropic damping by the support, diagonal";
   parameter Units.DampingCoefficient supportSin "Anisotropic damping by the support, off diagonal";
-  parameter Real ringErrors[9] "Errors of the electrode ring, as of Electrodes.ringErrors";
+  parameter Units.DimensionlessRatio ringErrors[9] "Errors of the electrode ring, as of Electrodes.ringErrors";
   input Units.TemperatureDifference temperature "Above the reference";
   input Units.Time age "Time since power-on";
   input Units.DimensionlessRatio biasVoltage "Over the nominal one";

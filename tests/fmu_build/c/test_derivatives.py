@@ -20,7 +20,16 @@ PARAMETERS = {
     "resonator.environment.startTemperature": -10.0,
     "resonator.environment.thermalLag": 2.0,
     "resonator.environment.selfHeating": 5.0,
+    "resonator.material.bryanFactorPerKelvin": 9e-4,
+    "pickOff.vibrationVariance[1]": 1e-3,
+    "pickOff.vibrationVariance[2]": 1e-3,
+    "pickOff.vibrationVariance[3]": 1e-3,
+    "pickOff.samplingSkew": 9e-4,
+    "biasVoltage": 0.9,
 }
+"""`bryanFactorPerKelvin` and `samplingSkew` are near their limits, since what they add is small
+beside what it is added to; a vibration that changes gains by more than themselves makes rounding
+larger than `MOVE` allows for; at a bias voltage of 1 what follows it vanishes."""
 
 MOVE = 1e-4
 """Relative. The difference errs by its square times the curvature over the slope, and by rounding
@@ -38,6 +47,8 @@ CONVERTER = {
 
 RESTING = {
     "pickOff.feedthrough",
+    "pickOff.gainPerGradient",
+    "pickOff.gainAgeing",
     "controller.startUp.firstTime",
     "controller.startUp.fullTime",
     "noise.angleRandomWalk",
@@ -45,8 +56,9 @@ RESTING = {
     "noise.biasInstability",
     "noise.virtualRotation",
 }
-"""At the start time forces and the ramp are zero, and these are multiplied by them; noise
-that has moved nothing yet only decides whether any is drawn."""
+"""At the start time forces, the ramp, the age and the difference of the temperatures of case and
+resonator are zero, and these are multiplied by them; noise that has moved nothing yet only decides
+whether any is drawn."""
 
 STILL = {"valid", "gyroRate", "noise.isMade"}
 """Outputs that jump at thresholds, or are zero until a second sample."""

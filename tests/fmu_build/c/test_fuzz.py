@@ -9,7 +9,7 @@ import pytest
 
 from tests.fmu_build.c import native
 
-RUNS = [(2, "HRG", 15_000), (3, "HRG", 15_000), (3, "HRGSlow", 10_000), (3, "HRGCarrier", 1_000)]
+RUNS = [(2, "HRG", 8_000), (3, "HRG", 8_000), (3, "HRGSlow", 5_000), (3, "HRGCarrier", 1_000)]
 
 
 @pytest.mark.needs("gcc with sanitizers")

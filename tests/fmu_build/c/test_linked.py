@@ -53,7 +53,7 @@ def _turn(root: str, fmi: int, folder: Path) -> str:
 
 @pytest.mark.parametrize(
     "models",
-    [(("HRG", 2), ("HRGSlow", 2)), (("HRG", 3), ("HRGSlow", 3)), (("HRG", 2), ("HRG", 3))],
+    [(("HRG", 3), ("HRGSlow", 3)), (("HRG", 2), ("HRG", 3))],
     ids=str,
 )
 def test_two_models_in_one_program(tmp_path: Path, models: tuple[tuple[str, int], ...]) -> None:

@@ -22,7 +22,10 @@ def cheap(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        (["huge"], "huge: found no such file, expected one or narrow, one-maker, small, standard"),
+        (
+            ["huge"],
+            "huge: found no such file, expected one or narrow, one-maker, self-witness",
+        ),
         (["small", "--seed", "-1"], "small.toml: seed: found -1, expected a whole number from 0"),
         (["small", "--workers", "0"], "workers: found 0, expected a whole number from 1"),
         (["small", "--workers", "1", "--scheduler", "tcp://a:1"], "not allowed with argument"),

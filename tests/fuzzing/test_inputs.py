@@ -8,7 +8,7 @@ from tests.fuzzing.cases import make_cases
 from tests.fuzzing.runner import READ, Case, find_troubles, run_case
 from tests.fuzzing.samples import SAMPLES, read_all
 
-CASES = 150
+CASES = 250
 
 
 @pytest.fixture(scope="module", autouse=True)

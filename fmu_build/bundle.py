@@ -31,7 +31,7 @@ from fmu_build.equations.modelica import read_page
 from fmu_build.equations.translate import COMPILER_VERSION, translate
 from fmu_build.roots import PARTS, ROOTS, Root
 from pyhrg.common.caches.files import find_cache_folder, is_intact, write_digest
-from pyhrg.common.files import write_whole
+from pyhrg.common.files import check_output_file, write_whole
 from pyhrg.common.made_by import find_modelica
 from pyhrg.common.reading.limits import refuse_unreadable
 
@@ -93,8 +93,8 @@ def build_fmu(
         OSError: the cache or `out` can't be written.
     """
     root = _find_root(model) if class_file is None else _make_root(Path(class_file))
-    if out is not None and Path(out).is_dir():
-        raise BuildError(f"can't write {out}: it is a folder; expected the name of a file")
+    if out is not None:
+        check_output_file(Path(out))
     if "all" in platforms:
         for name in sorted(PLATFORMS.keys() - list_platforms(fmi)):
             progress(f"{name} is left out: FMI {fmi}.0 has no folder for it")

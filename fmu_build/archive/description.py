@@ -66,7 +66,9 @@ def format_xml(root: ET.Element) -> str:
 def describe_fmi2(dae: Dae, model: Root, token: str, sources: Sequence[str]) -> str:
     """modelDescription.xml of FMI 2.0, co-simulation."""
     listed = list(list_scalars(dae))
-    root = _root("2.0", model, FMI2_CAPABILITIES, sources, guid=token)
+    root = make_root(
+        "2.0", model.identifier, model.description, FMI2_CAPABILITIES, sources, guid=token
+    )
     variables = _common(root, listed, model.step)
     for scalar in listed:
         typed = _list_type_attributes(scalar)
@@ -87,7 +89,9 @@ def describe_fmi2(dae: Dae, model: Root, token: str, sources: Sequence[str]) -> 
 def describe_fmi3(dae: Dae, model: Root, token: str) -> str:
     """modelDescription.xml of FMI 3.0, co-simulation."""
     listed = list(list_scalars(dae))
-    root = _root("3.0", model, FMI3_CAPABILITIES, instantiationToken=token)
+    root = make_root(
+        "3.0", model.identifier, model.description, FMI3_CAPABILITIES, instantiationToken=token
+    )
     if dae.settable_period is None:
         root[0].set("fixedInternalStepSize", repr(float(dae.sample_period)))
     variables = _common(root, listed, model.step)
@@ -133,19 +137,20 @@ def describe_build(identifier: str, sources: Sequence[str], options: Sequence[st
     return format_xml(root)
 
 
-def _root(
+def make_root(
     fmi_version: str,
-    model: Root,
+    identifier: str,
+    description: str,
     capabilities: Sequence[str],
     sources: Sequence[str] = (),
     **token: str,
 ) -> ET.Element:
-    """A description with its interface, which FMI 2.0 lists the sources in."""
+    """A description with its interface for co-simulation, which FMI 2.0 lists the sources in."""
     licence = read_licence()
     root = ET.Element(
         "fmiModelDescription",
-        {"fmiVersion": fmi_version, "modelName": model.identifier, **token},
-        description=model.description,
+        {"fmiVersion": fmi_version, "modelName": identifier, **token},
+        description=description,
         version=version("hrg"),
         generationTool=f"hrg fmu_build {version('hrg')}",
         variableNamingConvention="structured",
@@ -153,7 +158,7 @@ def _root(
         copyright=licence.copyright,
         license=licence.expression,
     )
-    given = {"modelIdentifier": model.identifier, **dict.fromkeys(capabilities, "true")}
+    given = {"modelIdentifier": identifier, **dict.fromkeys(capabilities, "true")}
     interface = ET.SubElement(root, "CoSimulation", given)
     if sources:
         files = ET.SubElement(interface, "SourceFiles")

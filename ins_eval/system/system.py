@@ -28,7 +28,7 @@ from ins_eval.system.structure import (
 from ins_eval.system.unit import Unit, Values, draw_unit
 from ins_eval.trajectories import catalogue
 from pyhrg.common.errors import HrgError
-from pyhrg.common.files import write_whole
+from pyhrg.common.files import check_output_file, write_whole
 from pyhrg.device.parameter_set import format_values
 
 FMI = 2
@@ -69,8 +69,7 @@ def write_system(
     """
     if ssp not in VERSIONS:
         raise HrgError(f"ssp: found {ssp!r}, expected {' or '.join(VERSIONS)}")
-    if Path(out).is_dir():
-        raise HrgError(f"can't write {out}: it is a folder; expected the name of a file")
+    check_output_file(Path(out))
     chosen = choose_platforms(list_platforms(FMI) if "all" in platforms else platforms, FMI)
     loaded = load_imu_at_rate(imu if isinstance(imu, Imu) else str(imu), rate_hz)
     plan = plan_simulation(

@@ -15,6 +15,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from pyhrg.common.errors import HrgError
+
 if sys.platform != "win32":
     import fcntl
 
@@ -29,6 +31,16 @@ def check_output_folder(out: Path) -> None:
         raise NotADirectoryError(errno.ENOTDIR, "it is no folder", str(nearest))
     if not os.access(nearest, os.W_OK | os.X_OK):
         raise PermissionError(errno.EACCES, "it can't be written", str(nearest))
+
+
+def check_output_file(out: Path) -> None:
+    """Refuse a file that can't be written because a folder has its name.
+
+    Raises:
+        HrgError: it is a folder.
+    """
+    if out.is_dir():
+        raise HrgError(f"can't write {out}: it is a folder; expected the name of a file")
 
 
 def is_file(path: str | Path) -> bool:

@@ -44,7 +44,7 @@ def drop_wrong_rows(table: Table) -> Table:
 
 
 def _drop_few(table: Table, wrong: NDArray[np.bool_], trouble: str) -> Table:
-    """The table without wrong rows, with a note on them; unchanged where they are many."""
+    """The table without wrong rows, with a note on them; many are refused."""
     if np.sum(wrong) > MAX_WRONG_SHARE * len(wrong):
         _refuse_disorder(table)
     return table.add_note(wrong, trouble).keep_rows(~wrong)

@@ -12,15 +12,12 @@ from pyhrg.common.units import DEG_PER_H
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.records.log import Log
-from pyhrg.witness.fit import Flown, fit_changes
+from pyhrg.witness.fit import SIGNIFICANCE, Flown, fit_changes
 from pyhrg.witness.information import compute_maps_response
 from pyhrg.witness.mechanisms import NAMES, change_device
 from pyhrg.witness.prior import Prior
 from pyhrg.witness.replay import read_witnesses
 from pyhrg.witness.responses import HARMONICS, measure_output, measure_responses
-
-SIGNIFICANCE = 1e-3
-"""Probability of innovations below which the model is said not to hold. Chosen."""
 
 SIGMAS = f"{'sigma':>12s}{'without log':>12s}"
 """Heading of two columns of standard deviations."""
@@ -146,7 +143,7 @@ def estimate_map(log: Log, device: Device, prior: Prior) -> MapEstimate:
     gyro = Flown(device, witnesses, prior, measure_responses(slow, device))
     (fitted,) = fit_changes(fast, slow, [gyro])
     changes, covariance = fitted.changes, fitted.covariance
-    if fitted.p_value <= SIGNIFICANCE:
+    if not fitted.is_explained:
         changes, covariance = prior.mean, prior.covariance
     response = compute_maps_response(fitted.responses, fitted.temperature)
     return MapEstimate(

@@ -35,6 +35,8 @@ course's error the gyro's errors as a share of what the one before left, 1e-3.""
 BLOCK = 5.0
 """Time over which rows are averaged before they are compared, s. Chosen: pick-off noise, which the
 loops differentiate, is then below force noise."""
+SIGNIFICANCE = 1e-3
+"""Probability of innovations below which the model is said not to hold. Chosen."""
 SCATTER_BLOCKS = 200
 """Number of blocks of simulated noise by which bursts are judged. Chosen: known to 5 %."""
 
@@ -70,6 +72,11 @@ class FittedChanges:
     angle: float
     burst_share: float
     p_value: float
+
+    @property
+    def is_explained(self) -> bool:
+        """Whether the mechanisms explain the forces. Changes of others are not to be followed."""
+        return self.p_value > SIGNIFICANCE
 
 
 def fit_changes(fast: GyroFmu, slow: GyroFmu, gyros: Sequence[Flown]) -> list[FittedChanges]:

@@ -28,9 +28,6 @@ from pyhrg.witness.information import compute_normalized_square
 from pyhrg.witness.mechanisms import HEATING, read_values
 from pyhrg.witness.replay import Witnesses
 
-SIGNIFICANCE = 1e-3
-"""Probability of innovations below which a gyro's channels are not followed. Chosen."""
-
 
 @dataclass(frozen=True)
 class WitnessedFlight:
@@ -136,11 +133,10 @@ def _tell(
         gyro, witnesses = believed[axis], flight.witnesses[axis]
         rise = _read_rise(gyro.device, witnesses)
         fit = fits[axis] if fits else None
-        if fit is None or fit.p_value <= SIGNIFICANCE:
-            prior = gyro.prior
-            known = prior.mean, prior.covariance, gyro.responses
-        else:
+        if fit and fit.is_explained:
             known = fit.changes, fit.covariance, fit.responses
+        else:
+            known = gyro.prior.mean, gyro.prior.covariance, gyro.responses
         told.append(tell_map(slow, gyro.device, *known, rise))
     return told
 

@@ -4,11 +4,10 @@ import hashlib
 import tempfile
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Sequence
-from importlib.metadata import version
 from pathlib import Path
 
-from fmu_build.archive.description import format_xml
-from fmu_build.archive.licences import list_licence_files, read_licence
+from fmu_build.archive.description import format_xml, make_root
+from fmu_build.archive.licences import list_licence_files
 from fmu_build.archive.packing import pack_archive
 from fmu_build.archive.units import add_unit_definitions
 from fmu_build.binaries.libraries import fetch_library
@@ -18,6 +17,7 @@ from ins_eval.system.player.variables import LEAD_IN, Variable, list_variables
 
 SOURCE = Path(__file__).with_name("trajectory.c")
 IDENTIFIER = "Trajectory"
+CAPABILITIES = ("canHandleVariableCommunicationStepSize", "canNotUseMemoryManagementFunctions")
 
 
 def build_trajectory_fmu(
@@ -87,28 +87,14 @@ def _document() -> str:
 
 
 def _describe(token: str, interval: float, duration: float) -> str:
-    licence = read_licence()
-    root = ET.Element(
-        "fmiModelDescription",
-        fmiVersion="2.0",
-        modelName=IDENTIFIER,
+    root = make_root(
+        "2.0",
+        IDENTIFIER,
+        "Motion of a vehicle, played from resources/trajectory.bin",
+        CAPABILITIES,
+        [SOURCE.name],
         guid=token,
-        description="Motion of a vehicle, played from resources/trajectory.bin",
-        version=version("hrg"),
-        generationTool=f"hrg {version('hrg')}",
-        variableNamingConvention="structured",
-        author=licence.author,
-        copyright=licence.copyright,
-        license=licence.expression,
     )
-    interface = ET.SubElement(
-        root,
-        "CoSimulation",
-        modelIdentifier=IDENTIFIER,
-        canHandleVariableCommunicationStepSize="true",
-        canNotUseMemoryManagementFunctions="true",
-    )
-    ET.SubElement(ET.SubElement(interface, "SourceFiles"), "File", name=SOURCE.name)
     variables = list_variables()
     add_unit_definitions(root, {(v.unit, "") for v in variables})
     categories = ET.SubElement(root, "LogCategories")

@@ -128,11 +128,9 @@ def _share_columns(columns: Sequence[Mapping[str, str]]) -> dict[str, str]:
     """Lines of a mapping for most logs, by stem: of those that differ the most frequent."""
     shared = {}
     for stem in BY_STEM:
-        line, count = (Counter(c[stem] for c in columns if stem in c).most_common(1) or [("", 0)])[
-            0
-        ]
-        if 2 * count >= len(columns):
-            shared[stem] = line
+        lines = Counter(c[stem] for c in columns if stem in c)
+        if 2 * max(lines.values(), default=0) >= len(columns):
+            shared[stem] = lines.most_common(1)[0][0]
     return {stem: _write_constant(stem) for stem in CONSTANTS} | shared
 
 

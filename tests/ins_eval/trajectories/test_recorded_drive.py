@@ -269,3 +269,17 @@ def test_recorded_drive_stays_a_cars(city: Drive) -> None:
     assert np.max(np.linalg.norm(path.velocity(time), axis=1)) < 20.5
     recorded = np.linalg.norm(city.velocity, axis=1)
     assert np.max(recorded) == pytest.approx(20.1, abs=0.1)
+
+
+def test_a_drive_that_begins_at_rest_begins_at_time_zero() -> None:
+    drive = BENDS["from rest to rest, about"]
+    path = repeat_drive(drive, 60.0, 10.0)
+    apart = path.position(drive.time) - drive.position
+    assert np.max(np.abs(apart)) < 1e-12
+    assert path.remark == ""
+
+
+def test_what_is_not_as_recorded_is_said() -> None:
+    path = repeat_drive(BENDS["round a corner"], 100.0, 10.0)
+    joint = "it is in motion at its first row, so 20 s lead to it from rest"
+    assert path.remark == f"bend: {joint}; it lasts 60 s and is repeated"

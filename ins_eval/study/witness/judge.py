@@ -4,8 +4,7 @@ Equations: docs/methods/witness.md, "Judged".
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 import pandas as pd
@@ -55,9 +54,6 @@ class WitnessScore:
     low: float
     high: float
     n: int
-
-    def describe(self) -> dict[str, Any]:
-        return asdict(self)
 
 
 def score_witnesses(flights: pd.DataFrame, seed: int) -> list[WitnessScore]:

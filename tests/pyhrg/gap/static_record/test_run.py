@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 from pyhrg.common.errors import HrgError
-from pyhrg.gap.static_record import StaticRecord, diagnose_record
+from pyhrg.gap.static_record import diagnose_record
 from pyhrg.gap.static_record.belief import Belief, parse_belief, read_beliefs
 from pyhrg.gap.static_record.record import (
     Channel,
+    StaticRecord,
     channel_from_increments,
     find_quantization_step,
 )

@@ -6,7 +6,7 @@ Equations are those of docs/methods/witness.md. States are changes of `mechanism
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.witness.mechanisms import COUNT, HEATING
+from pyhrg.witness.mechanisms import COUNT, TEMPERATURE_RATE
 from pyhrg.witness.responses import POWERS, Motion, Responses, compute_design
 
 PIECE = 20_000
@@ -70,7 +70,7 @@ def compute_maps_response(responses: Responses, temperature: float) -> Array:
     mechanism, at a constant temperature above the reference, K."""
     powers = temperature ** np.arange(POWERS)
     maps = np.einsum("p,cpmt->cmt", powers, responses.output[:, :, :2]).reshape(COUNT, -1)
-    return np.asarray(np.where(HEATING, 0.0, maps.T))
+    return np.asarray(np.where(TEMPERATURE_RATE, 0.0, maps.T))
 
 
 def _accumulate(sensitivities: Array, deviation: Array, motion: Motion) -> Array:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from fmu_build.bundle import build_fmu
-from fmu_build.check import report
+from fmu_build.check import fmu_checks
 from fmu_build.check.archive import open_fmu
 from fmu_build.check.rules.rule import RULES
 from pyhrg.common.errors import HrgError
@@ -249,7 +249,7 @@ def test_fmpy_finds_what_no_rule_of_ours_does(
     tmp_path: Path, change: Callable[[Content], None], finding: str
 ) -> None:
     fmu = open_fmu(tampered(build_fmu(fmi=3), tmp_path, change))
-    validation = next(c for c in report.run_checks(fmu) if c.name == "FMPy validates it")
+    validation = next(c for c in fmu_checks.run_checks(fmu) if c.name == "FMPy validates it")
     assert any(finding in text for text in validation.findings), validation.findings
 
 

@@ -43,7 +43,8 @@ the paper's eight positions, half as far apart."""
 
 @dataclass(frozen=True)
 class BiasMap:
-    """Bias against pattern angle.
+    """Output rate at rest less Earth's rate, against pattern angle: the bias, and Earth's vertical
+    rate times the map of the scale factor, which `calibration_maps.fit_maps` tells apart.
 
     harmonics: orders that are fitted.
     tilt: whether the tilt of the input axis is fitted.

@@ -4,6 +4,7 @@ linear model against the co-simulated samples, all without noise, are among them
 
 import json
 from collections.abc import Iterator, Mapping
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -177,7 +178,7 @@ def _make_document(
         CONDITIONS_KEY: {c.title: c.what for c in CONDITIONS} if study.conditions else {},
         LEAD_KEY: lead_case,
         PHASE_KEY: phase,
-        WITNESS_KEY: [each.describe() for each in told],
+        WITNESS_KEY: [asdict(each) for each in told],
         "made_by": list_versions(),
         "scores": [each.describe() for each in scores],
     }

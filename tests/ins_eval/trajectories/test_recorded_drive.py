@@ -1,7 +1,6 @@
 """Reading a drive: what is right goes through, what is wrong is named."""
 
 import gzip
-import os
 from collections.abc import Callable
 from pathlib import Path
 
@@ -15,8 +14,8 @@ from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.recorded_drive import COLUMNS, Drive, read_drive, repeat_drive
 from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.errors import HrgError
+from tests.recordings import find_recording
 
-REAL = Path(__file__).parents[4] / "shared" / "real"
 Rows = list[list[str]]
 
 
@@ -228,9 +227,7 @@ def test_times_that_are_no_durations_are_refused(
 @pytest.fixture(scope="module")
 def city() -> Drive:
     """A car in city traffic, 21 min at 1 Hz; `HRG_REAL` says where recorded data are."""
-    path = Path(os.environ.get("HRG_REAL", REAL)) / "turin_drive.csv.gz"
-    if not path.is_file():
-        pytest.skip(f"{path} is not there; HRG_REAL says where recorded data are")
+    path = find_recording("turin_drive.csv.gz")
     return read_drive(path)
 
 

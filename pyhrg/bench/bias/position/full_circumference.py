@@ -18,7 +18,7 @@ from pyhrg.bench.bias.position.positions import HARMONICS, Plan, choose_plan, se
 from pyhrg.bench.estimation.harmonics import MEAN, TILT, Fit, fit, make_columns, name_terms
 from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_mean
-from pyhrg.bench.procedure import Option, Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Option, Procedure, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Points
 from pyhrg.common.arrays import Array
@@ -192,7 +192,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         verdict=_describe_verdict(test, within.si_value, between.si_value),
         tables=(test.table(),),
         warnings=(*fitted.refused, *filter(None, [positions.describe_leakage(runs[0])])),
-        exclusions=(*list_exclusions(tests), *exclusions),
+        exclusions=tuple(exclusions),
         draw=lambda figure: draw(figure, runs, fitted),
         values={"bias_map": {name: fitted.value(name) for name in fitted.names}},
     )

@@ -162,9 +162,9 @@ def fit_map(
     The data points of all runs lie at the same positions.
     """
     first = runs[0]
-    positions = [first.dwell == number for number in np.unique(first.dwell)]
+    dwells = [first.dwell == number for number in np.unique(first.dwell)]
     pattern, table = (
-        np.array([np.mean(angle[chosen]) for chosen in positions])
+        np.array([np.mean(angle[chosen]) for chosen in dwells])
         for angle in (first.pattern_angle, first.table_angle)
     )
     seen, with_tilt, refused = select_visible(pattern, table, wanted, tilt)

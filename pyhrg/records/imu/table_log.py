@@ -9,6 +9,7 @@ from pyhrg.records.imu.log import (
     ACCELEROMETERS,
     GYROS,
     MIN_ROWS,
+    PATTERN,
     TIME,
     Increments,
     Quantity,
@@ -55,36 +56,43 @@ def read_parquet(source: str, data: bytes, trusted: bool) -> RecordedImu:
     return _build_log(source, kinds, values, 1, trusted)
 
 
-def _list_columns(kinds: tuple[Quantity, Quantity]) -> list[str]:
+def _list_columns(kinds: tuple[Quantity, ...]) -> list[str]:
     return [TIME, *(column for kind in kinds for column in kind.columns)]
 
 
-def _choose_quantities(source: str, header: list[str]) -> tuple[Quantity, Quantity]:
-    """The quantities of gyros and accelerometers that a header has beside the time."""
+def _choose_quantities(source: str, header: list[str]) -> tuple[Quantity, ...]:
+    """The quantities of gyros and accelerometers that a header has beside the time, and the pattern
+    angle if it has any of its columns."""
     if not header:
         raise LogError(f"{source}: found an empty file, expected a header and values")
     if TIME not in header:
         found = f"found no column {TIME} among {', '.join(header)}, expected it"
         raise LogError(f"{source}: {found}; `hrg campaign init` reads a bench log of other columns")
-    return choose_quantity(source, header, GYROS), choose_quantity(source, header, ACCELEROMETERS)
+    kinds = [choose_quantity(source, header, among) for among in (GYROS, ACCELEROMETERS)]
+    if any(column in header for column in PATTERN.columns):
+        kinds.append(choose_quantity(source, header, [PATTERN]))
+    return tuple(kinds)
 
 
 def _build_log(
-    source: str, kinds: tuple[Quantity, Quantity], values: Array, first_row: int, trusted: bool
+    source: str, kinds: tuple[Quantity, ...], values: Array, first_row: int, trusted: bool
 ) -> RecordedImu:
-    time, *readings = values[:, 0], values[:, 1:4], values[:, 4:]
+    time, readings = values[:, 0], [values[:, 1:4], values[:, 4:7]]
+    gyros, accelerometers, *pattern = kinds
     interval = _find_interval(source, time, first_row)
     if not trusted:
         rate, force = (
-            x / interval if k.integral else x for k, x in zip(kinds, readings, strict=True)
+            x / interval if k.integral else x
+            for k, x in zip((gyros, accelerometers), readings, strict=True)
         )
-        check_plausibility(Readings(source, interval, *kinds, rate, force))
+        check_plausibility(Readings(source, interval, gyros, accelerometers, rate, force))
     rotation, velocity = (
         np.ascontiguousarray(k.factor * (x if k.integral else x * interval))
-        for k, x in zip(kinds, readings, strict=True)
+        for k, x in zip((gyros, accelerometers), readings, strict=True)
     )
     increments = Increments(interval, rotation, velocity, float(time[0]) - interval)
-    return RecordedImu(increments, None, None, source)
+    angles = np.ascontiguousarray(PATTERN.factor * values[:, 7:]) if pattern else None
+    return RecordedImu(increments, None, None, source, angles)
 
 
 def _find_interval(source: str, time: Array, first_row: int) -> float:

@@ -1,0 +1,95 @@
+"""Figures of docs/methods/aided.md: `python -m benchmarks.aided [mean|map] [TRIADS]`.
+
+Triads of seed 1, numbers from 100, in turn on four missions; fixes of 2 m at 1 Hz for two hours,
+then an hour without.
+"""
+
+import sys
+
+import numpy as np
+from scipy.stats import chi2
+
+from benchmarks.aided.flown import STUDY_SEED, AidedTriad, fly_triads
+from ins_eval.study.experiment import load_fmu
+from ins_eval.study.gyros.drawn_triad import TriadDistribution
+from ins_eval.study.gyros.population import RAW, TRIMMED
+from ins_eval.study.scores.resampling import bootstrap
+from pyhrg.common.arrays import Array
+from pyhrg.common.units import DEG_PER_H
+
+LEARNING, TRIADS = 12, 16
+SEEN = 0.1
+"""A direction among the harmonics is seen if the drive leaves at most this share of its variance."""
+
+
+def compute_nees(triad: AidedTriad) -> tuple[float, int, float, int]:
+    """Normalised square of the harmonics' errors and its degrees: in the directions that the drive
+    has seen, and in all."""
+    terms = triad.true.shape[1]
+    harmonics = np.flatnonzero(np.arange(triad.true.size) % terms)
+    error = (triad.told.coefficients - triad.true).ravel()[harmonics]
+    left, before = (m.joint[np.ix_(harmonics, harmonics)] for m in (triad.told, triad.prior))
+    scale = 1 / np.sqrt(np.diag(before))
+    values, vectors = np.linalg.eigh(left * np.outer(scale, scale))
+    squares = (vectors.T @ (scale * error)) ** 2 / values
+    seen = values < SEEN
+    return float(squares[seen].sum()), int(seen.sum()), float(squares.sum()), len(squares)
+
+
+def size_harmonics(errors: Array) -> float:
+    """Rms over gyros of the map's size without its mean, 1e-3 deg/h."""
+    return float(np.sqrt(np.mean(np.sum(errors[:, 1:] ** 2, axis=1) / 2)) / DEG_PER_H * 1e3)
+
+
+def print_row(triad: AidedTriad) -> None:
+    square, degrees, every, all_degrees = compute_nees(triad)
+    sizes = [
+        size_harmonics(errors)
+        for errors in (triad.true, triad.told.coefficients - triad.true, triad.bench - triad.true)
+    ]
+    print(
+        f"{triad.mission:9s} NIS {triad.innovation:.3f}  NEES seen {square / max(degrees, 1):5.2f} of"
+        f" {degrees:2d}, all {every / all_degrees:5.2f}  map {sizes[0]:5.1f}, error {sizes[1]:5.1f},"
+        f" bench {sizes[2]:5.1f} mdeg/h  hour: {triad.free:6.0f} m, uncorrected"
+        f" {triad.uncorrected:6.0f}, another's {triad.shuffled:6.0f}, alone {triad.alone:6.0f}",
+        flush=True,
+    )
+
+
+def main(method: str, count: int) -> None:
+    population = TRIMMED if method == "mean" else RAW
+    distribution = TriadDistribution(population=population, method=method)
+    fmus = load_fmu("HRG"), load_fmu("HRGSlow")
+    triads = []
+    for triad in fly_triads(fmus, distribution, LEARNING, count):
+        print_row(triad)
+        triads.append(triad)
+    squares, degrees, *_ = np.array([compute_nees(each) for each in triads]).T
+    low, high = chi2.ppf((0.005, 0.995), degrees.sum()) / degrees.sum()
+    print(
+        f"NEES of the directions seen: {squares.sum() / degrees.sum():.2f} of {degrees.sum():.0f} "
+        f"degrees, 99 % band {low:.2f} to {high:.2f}"
+    )
+    seen = np.array([t.free for t in triads])
+    for name in ("uncorrected", "alone"):
+        base = np.array([getattr(t, name) for t in triads])
+        found = bootstrap(_ratio, [seen, base], STUDY_SEED)
+        print(
+            f"median error over that {name}: {found.value:.3f} ({found.low:.3f} to {found.high:.3f})"
+        )
+    base, other = (
+        np.array([getattr(t, n) for t in triads[1:]]) for n in ("uncorrected", "shuffled")
+    )
+    found = bootstrap(_ratio, [other, base], STUDY_SEED)
+    print(f"control, another triad's: {found.value:.3f} ({found.low:.3f} to {found.high:.3f})")
+    worse = np.mean([t.free > t.uncorrected for t in triads])
+    print(f"flights made worse: {worse:.0%} of {len(triads)}")
+
+
+def _ratio(corrected: Array, uncorrected: Array) -> Array:
+    return np.asarray(np.median(corrected, axis=-1) / np.median(uncorrected, axis=-1))
+
+
+if __name__ == "__main__":
+    calibration = next((each for each in sys.argv[1:] if not each.isdigit()), "mean")
+    main(calibration, *([int(each) for each in sys.argv[1:] if each.isdigit()] or [TRIADS]))

@@ -17,9 +17,10 @@ from ins_eval.study.scores.resampling import bootstrap
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG_PER_H
 
-LEARNING, TRIADS = 12, 16
+LEARNING, TRIADS, DRAWS = 12, 16, 1000
 SEEN = 0.1
-"""A direction among the harmonics is seen if the drive leaves at most this share of its variance."""
+"""A direction among the harmonics is seen if the drive leaves at most this share of its
+variance."""
 
 
 def compute_nees(triad: AidedTriad) -> tuple[float, int, float, int]:
@@ -48,9 +49,9 @@ def print_row(triad: AidedTriad) -> None:
         for errors in (triad.true, triad.told.coefficients - triad.true, triad.bench - triad.true)
     ]
     print(
-        f"{triad.mission:9s} NIS {triad.innovation:.3f}  NEES seen {square / max(degrees, 1):5.2f} of"
-        f" {degrees:2d}, all {every / all_degrees:5.2f}  map {sizes[0]:5.1f}, error {sizes[1]:5.1f},"
-        f" bench {sizes[2]:5.1f} mdeg/h  hour: {triad.free:6.0f} m, uncorrected"
+        f"{triad.mission:9s} NIS {triad.innovation:.3f}  NEES seen {square / max(degrees, 1):5.2f} "
+        f"of {degrees:2d}, all {every / all_degrees:5.2f}  map {sizes[0]:5.1f}, error "
+        f"{sizes[1]:5.1f}, bench {sizes[2]:5.1f} mdeg/h  hour: {triad.free:6.0f} m, uncorrected"
         f" {triad.uncorrected:6.0f}, another's {triad.shuffled:6.0f}, alone {triad.alone:6.0f}",
         flush=True,
     )
@@ -70,23 +71,32 @@ def main(method: str, count: int) -> None:
         f"NEES of the directions seen: {squares.sum() / degrees.sum():.2f} of {degrees.sum():.0f} "
         f"degrees, 99 % band {low:.2f} to {high:.2f}"
     )
-    seen = np.array([t.free for t in triads])
+    own = np.array([t.free for t in triads])
     for name in ("uncorrected", "alone"):
-        base = np.array([getattr(t, name) for t in triads])
-        found = bootstrap(_ratio, [seen, base], STUDY_SEED)
-        print(
-            f"median error over that {name}: {found.value:.3f} ({found.low:.3f} to {found.high:.3f})"
-        )
-    base, other = (
-        np.array([getattr(t, n) for t in triads[1:]]) for n in ("uncorrected", "shuffled")
+        print_ratio(f"median error over that {name}", own, [getattr(t, name) for t in triads])
+    base = [t.uncorrected for t in triads[1:]]
+    print_ratio("control, another triad's", np.array([t.shuffled for t in triads[1:]]), base)
+    print(
+        f"noise after the last fix alone: median {find_noise_median(triads):.0f} m of "
+        f"{np.median(own):.0f} m"
     )
-    found = bootstrap(_ratio, [other, base], STUDY_SEED)
-    print(f"control, another triad's: {found.value:.3f} ({found.low:.3f} to {found.high:.3f})")
     worse = np.mean([t.free > t.uncorrected for t in triads])
     print(f"flights made worse: {worse:.0%} of {len(triads)}")
 
 
-def _ratio(corrected: Array, uncorrected: Array) -> Array:
+def find_noise_median(triads: list[AidedTriad]) -> float:
+    """Median horizontal error, m, over triads and draws of the noise after the last fix."""
+    generator = np.random.default_rng(STUDY_SEED)
+    drawn = [generator.multivariate_normal(np.zeros(2), t.by_noise, DRAWS) for t in triads]
+    return float(np.median(np.linalg.norm(np.concatenate(drawn), axis=1)))
+
+
+def print_ratio(title: str, corrected: Array, base: list[float]) -> None:
+    found = bootstrap(_compare_medians, [corrected, np.array(base)], STUDY_SEED)
+    print(f"{title}: {found.value:.3f} ({found.low:.3f} to {found.high:.3f})")
+
+
+def _compare_medians(corrected: Array, uncorrected: Array) -> Array:
     return np.asarray(np.median(corrected, axis=-1) / np.median(uncorrected, axis=-1))
 
 

@@ -8,18 +8,20 @@ import numpy as np
 
 from ins_eval.aided.bias_map import BiasMap, read_bias_map
 from ins_eval.aided.correction import correct_increments
-from ins_eval.aided.drive import measure_turn, sample_drive
 from ins_eval.aided.fixes import Fixes, make_position_fixes
-from ins_eval.aided.forward import Filtered, run_filter
-from ins_eval.aided.measurements import displace
-from ins_eval.aided.sensors import SensorStates
-from ins_eval.aided.start import align_in_motion
+from ins_eval.aided.kalman.drive import Drive, measure_turn, sample_drive
+from ins_eval.aided.kalman.forward import SEGMENT, Filter, Filtered, list_noise, run_filter
+from ins_eval.aided.kalman.measurements import displace
+from ins_eval.aided.kalman.sensors import SensorStates
+from ins_eval.aided.kalman.start import align_in_motion
 from ins_eval.common.state import position_error
+from ins_eval.error_model.dynamics import COUNT
 from ins_eval.error_model.effects import ANGULAR_GAIN, accelerometer_bias, gyro_bias, misalignment
+from ins_eval.error_model.linear_model import linearize
 from ins_eval.flights.assumed_errors import ASSUMED_FLICKER_TIMES
 from ins_eval.imu.sensor_error_model import TYPICAL_ACCELEROMETERS
 from ins_eval.mission_model.gyro_map import TERMS
-from ins_eval.mission_model.missions import SETTLING, STILL, StudyMission, plan_mission
+from ins_eval.mission_model.missions import SETTLING, StudyMission, plan_mission
 from ins_eval.mission_model.signals import (
     STEADY,
     WARMING,
@@ -27,12 +29,11 @@ from ins_eval.mission_model.signals import (
     list_signal_effects,
     slice_coefficients,
 )
-from ins_eval.navigation.height import Clamped
+from ins_eval.navigation.height import Clamped, Free
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.study.cosimulated import (
     AXES,
     MissionTruth,
-    _power_on,
     align_and_navigate,
     make_increments,
     make_noise_seeds,
@@ -48,6 +49,7 @@ from ins_eval.study.gyros.drawn_triad import (
     make_triad_seed,
 )
 from ins_eval.study.gyros.true_maps import read_flight_coefficients
+from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import HOUR
 from pyhrg.fmu import GyroFmu, record_together
@@ -66,10 +68,15 @@ NO_ARM = np.zeros(3)
 
 @dataclass(frozen=True)
 class AidedTriad:
-    """One triad. told, true, bench: maps at the end of the fixes; prior: of the maps; innovation:
-    normalised innovation squared over its degrees; free, uncorrected, shuffled: horizontal error
-    after `FREE_HOURS` without fixes, m, with the errors found, without, and with those found of
-    another triad; alone: after as long from an alignment at rest, without fixes, m."""
+    """One triad.
+
+    told, true, bench: maps at the end of the fixes; prior: of the maps; innovation: normalised
+    innovation squared over its degrees; free, uncorrected, shuffled: horizontal error after
+    `FREE_HOURS` without fixes, m, with the errors found, without, and with those found of another
+    triad; alone: after as long from an alignment at rest, without fixes, m; by_noise: (2, 2)
+    covariance of the position, m^2, that the sensors' noise after the last fix makes of a navigator
+    that knows all else.
+    """
 
     mission: str
     told: BiasMap
@@ -81,6 +88,7 @@ class AidedTriad:
     uncorrected: float
     shuffled: float
     alone: float
+    by_noise: Array
 
 
 def learn_deviations(slow: GyroFmu, distribution: TriadDistribution, triads: int) -> Array:
@@ -148,13 +156,30 @@ def measure(
         moving.append({name: values[:, None] for name, values in inputs.items()})
     with ExitStack() as stack:
         on = [
-            stack.enter_context(_power_on(fast, flown, true.interval, seed))
-            for flown, seed in zip(triad.flights, seeds, strict=True)
+            stack.enter_context(
+                fast.power_on(f.device.fmu_parameters(), seed=seed, start_angle=f.power_on_angle)
+            )
+            for f, seed in zip(triad.flights, seeds, strict=True)
         ]
         names = ["gyroAngle", "patternAngle"]
         recorded = record_together(on, moving, [{}] * AXES, true.interval, names)
     ends = np.stack([each for each, _ in recorded], axis=1)
     return make_increments(truth, triad, ends[:, :, 0], accelerometers), ends[:, :, 1]
+
+
+def propagate_noise(drive: Drive, first: int, states: SensorStates, truth: Trajectory) -> Array:
+    """Covariance (2, 2) of the position at a drive's end, m^2, by noise from a step on."""
+    kalman = Filter(states, np.zeros((COUNT, COUNT)), drive.step)
+    kalman.covariance[:] = 0.0
+    for begin in range(first, drive.steps, round(SEGMENT / drive.step)):
+        end = min(begin + round(SEGMENT / drive.step), drive.steps)
+        at = truth.state(drive.increments.start + begin * drive.step)
+        _, motion = drive.navigate(at, begin, end)
+        model = linearize(motion, Free(), states.effects)
+        noise = list_noise(model.constant_errors, states.noise, drive.step)
+        for k in range(len(model)):
+            kalman.predict(model.transition[k], model.inputs[k].reshape(COUNT, -1), noise[k])
+    return np.asarray(kalman.covariance[:2, :2])
 
 
 class _Flown:
@@ -215,6 +240,7 @@ class _Flown:
             uncorrected=uncorrected,
             shuffled=shuffled,
             alone=float(alone[kept]),
+            by_noise=propagate_noise(self._drive, self._last, self._states, self._trajectory),
         )
 
     def _read_map(self, slow: GyroFmu, axis: int, time: float) -> Array:
@@ -224,7 +250,7 @@ class _Flown:
         return np.asarray(terms[:, 0].T @ warmth ** np.arange(3))
 
     def _navigate(self, found: Filtered, coefficients: Array | None) -> float:
-        first = self._last * round(self._drive.step / self._used.interval)
+        first = self._last * self._drive.rows
         count = (len(self._used) - first) // 2 * 2
         part = self._used.between(first, first + count)
         if coefficients is not None:

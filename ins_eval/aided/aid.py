@@ -1,21 +1,21 @@
 """The front door: a recorded drive with fixes gives the sensors' errors, maps of gyros among
 them."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
-from ins_eval.aided.backward import smooth
 from ins_eval.aided.bias_map import read_bias_map
-from ins_eval.aided.drive import PARTS, SAMPLES, Drive, measure_turn, sample_drive
 from ins_eval.aided.fixes import FEWEST, Fixes, read_fixes
-from ins_eval.aided.forward import Filtered, run_filter
-from ins_eval.aided.hold_out import HoldOut, judge_hold_out
+from ins_eval.aided.hold_out import judge_hold_out
+from ins_eval.aided.kalman.backward import smooth
+from ins_eval.aided.kalman.drive import measure_turn, sample_drive
+from ins_eval.aided.kalman.forward import Filtered, run_filter
+from ins_eval.aided.kalman.sensors import SensorStates
+from ins_eval.aided.kalman.start import WINDOW, align_in_motion
 from ins_eval.aided.report import AidedDrive
-from ins_eval.aided.sensors import SensorStates
-from ins_eval.aided.start import WINDOW, align_in_motion
 from ins_eval.common.sensor_errors import SensorErrors
-from ins_eval.error_model.effects import ANGULAR_GAIN
 from ins_eval.error_model.linear_model import AXES
 from ins_eval.flights.assumed_errors import assume_errors
 from ins_eval.flights.sources import load_imu_at_rate, read_record
@@ -59,55 +59,73 @@ def aid(
         out: folder that the result is written to, see `AidedDrive.write`; None writes nothing.
 
     Raises:
-        HrgError: a file that can't be used; fixes outside the log, or that contradict it; whole-angle
-            gyros without pattern angles; an argument out of range.
+        HrgError: a file that can't be used; fixes outside the log, or that contradict it;
+            whole-angle gyros without pattern angles; an argument out of range.
         OSError: `out` can't be written.
     """
     if out is not None:
         check_output_folder(Path(out))
     arm = np.array([check_number("lever_arm_m", x, -LONGEST_ARM, LONGEST_ARM) for x in lever_arm_m])
     held = check_number("hold_out_h", hold_out_h, 0.0, 24.0) * HOUR
-    record, imu = read_record(log), load_imu_at_rate(errors_of, None)
-    found = read_fixes(fixes)
-    record, used = _cut(record, found)
-    turned, first_angle = measure_turn(record.increments, record.pattern_angle)
-    sensors = assume_sensors(imu, record, first_angle)
-    drive = sample_drive(record.increments, turned)
-    end = used.time[-1] - held
-    last = int((end - drive.increments.start) / drive.step)
-    if last * drive.step < WINDOW:
-        raise HrgError(
-            f"{log}: found {max(last, 0) * drive.step:g} s with fixes before what is held out, "
-            f"expected {WINDOW:g} s or more"
-        )
-    known_at = float(drive.increments.start + last * drive.step)
-    start = align_in_motion(drive, used, sensors, arm)
-    filtered = run_filter(drive, used, sensors, start, arm, last)
-    _check_outliers(used, filtered)
-    smoothed, _ = smooth(filtered, sensors, drive.step)
-    names = len(sensors)
-    own = filtered.covariance[-names:, -names:]
-    prior = np.diag(np.ravel(sensors.deviations) ** 2)
-    result = AidedDrive(
+    imu, found = load_imu_at_rate(errors_of, None), read_fixes(fixes)
+    record, used = _cut(read_record(log), found)
+    result = aid_record(record, used, imu, arm, held)
+    result = replace(
+        result,
         name=f"{Path(log).name}, {Path(fixes).name}",
-        prior_name=f"{imu.name} IMU",
-        duration=last * drive.step,
         unused=len(found) - len(used),
-        filtered=filtered,
-        smoothed=smoothed,
-        sensors=sensors,
-        bias_map=read_bias_map(sensors, first_angle, filtered.coefficients, own, known_at),
-        prior_map=read_bias_map(sensors, first_angle, np.zeros(names), prior, known_at),
-        visited=_list_visited(drive, first_angle, last)
-        if record.pattern_angle is not None
-        else None,
-        hold_out=_hold_out(record, used, turned, drive, last, filtered, sensors, arm)
-        if held
-        else None,
     )
     if out is not None:
         result.write(out)
     return result
+
+
+def aid_record(
+    record: RecordedImu, fixes: Fixes, imu: Imu, lever_arm: Array, held: float
+) -> AidedDrive:
+    """Estimate errors and way from a record that begins with its first fix.
+
+    lever_arm: (3,) m; held: time at the end whose fixes are not used, s.
+    """
+    turned, first_angle = measure_turn(record.increments, record.pattern_angle)
+    sensors = assume_sensors(imu, record, first_angle)
+    drive = sample_drive(record.increments, turned)
+    last = int((fixes.time[-1] - held - drive.increments.start) / drive.step)
+    if last * drive.step < WINDOW:
+        raise HrgError(
+            f"{fixes.source}: found {max(last, 0) * drive.step:g} s of fixes before what is held "
+            f"out, expected {WINDOW:g} s or more"
+        )
+    known_at = float(drive.increments.start + last * drive.step)
+    start = align_in_motion(drive, fixes, sensors, lever_arm)
+    filtered = run_filter(drive, fixes, sensors, start, lever_arm, last)
+    _check_outliers(fixes, filtered)
+    count = len(sensors)
+    own = filtered.covariance[-count:, -count:]
+    prior = np.diag(np.ravel(sensors.deviations) ** 2)
+    return AidedDrive(
+        name=record.source,
+        prior_name=f"{imu.name} IMU",
+        duration=last * drive.step,
+        unused=0,
+        filtered=filtered,
+        smoothed=smooth(filtered, sensors, drive.step)[0],
+        sensors=sensors,
+        bias_map=read_bias_map(sensors, first_angle, filtered.coefficients, own, known_at),
+        prior_map=read_bias_map(sensors, first_angle, np.zeros(count), prior, known_at),
+        visited=None if record.pattern_angle is None else record.pattern_angle[: last * drive.rows],
+        hold_out=judge_hold_out(
+            record.increments.between(last * drive.rows, len(record.increments)),
+            turned[last * drive.rows :],
+            fixes,
+            filtered.state,
+            sensors,
+            filtered.coefficients,
+            lever_arm,
+        )
+        if held
+        else None,
+    )
 
 
 def assume_sensors(imu: Imu, record: RecordedImu, first_angle: Array) -> SensorStates:
@@ -143,8 +161,8 @@ def _cut(record: RecordedImu, fixes: Fixes) -> tuple[RecordedImu, Fixes]:
     count = int(np.count_nonzero(used.has_position))
     if count < FEWEST:
         raise HrgError(
-            f"{fixes.source}: found {count} positions in the time of the log, {increments.start:g} to "
-            f"{increments.bounds[-1]:g} s, expected {FEWEST} or more; the fixes go from "
+            f"{fixes.source}: found {count} positions in the time of the log, {increments.start:g} "
+            f"to {increments.bounds[-1]:g} s, expected {FEWEST} or more; the fixes go from "
             f"{fixes.time[0]:g} to {fixes.time[-1]:g} s"
         )
     begin = float(used.time[used.has_position][0])
@@ -170,32 +188,3 @@ def _check_outliers(fixes: Fixes, filtered: Filtered) -> None:
             f"{MOST_OUTLIERS:.0%} at most: are they of another drive, in other units, their sigmas "
             "too small, or the clocks apart?"
         )
-
-
-def _list_visited(drive: Drive, first_angle: Array, last: int) -> Array:
-    """(m, 3) pattern angles at the nodes that were filtered, rad."""
-    return np.asarray(first_angle - ANGULAR_GAIN * drive.turned[: last * PARTS + 1])
-
-
-def _hold_out(
-    record: RecordedImu,
-    fixes: Fixes,
-    turned: Array,
-    drive: Drive,
-    last: int,
-    filtered: Filtered,
-    sensors: SensorStates,
-    lever_arm: Array,
-) -> HoldOut:
-    first = last * PARTS * drive.each
-    after = record.increments.between(first, len(record.increments))
-    count = len(after) // SAMPLES * SAMPLES
-    return judge_hold_out(
-        after.between(0, count),
-        turned[first : first + count + 1],
-        fixes,
-        filtered.state,
-        sensors,
-        filtered.coefficients,
-        lever_arm,
-    )

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ins_eval.aided.sensors import SensorStates
+from ins_eval.aided.kalman.sensors import SensorStates
 from ins_eval.error_model.effects import ANGULAR_GAIN
 from ins_eval.error_model.linear_model import AXES
 from ins_eval.error_model.motion import Motion

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ins_eval.aided.sensors import SensorStates
+from ins_eval.aided.kalman.sensors import SensorStates
 from ins_eval.error_model.linear_model import AXES
 from ins_eval.error_model.motion import PARTS, Motion
 from pyhrg.common.arrays import Array
@@ -21,8 +21,8 @@ def correct_increments(
 ) -> Increments:
     """Increments without the errors by coefficients (c,).
 
-    turned: (n + 1, 3) turn of each gyro at the bounds, rad; known_at: time at which the coefficients
-    were estimated, s; those with a correlation time fade after it.
+    turned: (n + 1, 3) turn of each gyro at the bounds, rad; known_at: time at which the
+    coefficients were estimated, s; those with a correlation time fade after it.
     """
     pieces = [
         _correct_piece(

@@ -36,9 +36,9 @@ LIMITS = {
     "latitude_deg": (-89.0, 89.0),
     "longitude_deg": (-360.0, 360.0),
     "height_m": (-1000.0, 50_000.0),
-    **{name: (1e-4, 1000.0) for name in ("position_sigma_m", HEIGHT_SIGMA)},
+    **dict.fromkeys(("position_sigma_m", HEIGHT_SIGMA), (1e-4, 1000.0)),
     **dict.fromkeys(GROUPS["velocity"][:3], (-3000.0, 3000.0)),
-    **{name: (1e-4, 100.0) for name in ("velocity_sigma_m_s", "speed_sigma_m_s")},
+    **dict.fromkeys(("velocity_sigma_m_s", "speed_sigma_m_s"), (1e-4, 100.0)),
     "speed_m_s": (-300.0, 300.0),
 }
 """Smallest and largest value of each column. Chosen: no vehicle goes beyond."""

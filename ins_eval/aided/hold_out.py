@@ -5,10 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from ins_eval.aided.correction import correct_increments
-from ins_eval.aided.drive import SAMPLES
 from ins_eval.aided.fixes import Fixes
-from ins_eval.aided.measurements import displace
-from ins_eval.aided.sensors import SensorStates
+from ins_eval.aided.kalman.drive import SAMPLES
+from ins_eval.aided.kalman.measurements import displace
+from ins_eval.aided.kalman.sensors import SensorStates
 from ins_eval.common.state import State, position_error
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
@@ -44,12 +44,15 @@ def judge_hold_out(
 ) -> HoldOut:
     """Navigate freely with and without the coefficients (c,).
 
-    increments: from the last fix that was used on; turned: at their bounds, rad; fixes: their
+    increments: from the last fix that was used on, of which an odd one at the end is left out;
+    turned: at their bounds, rad; fixes: their
     heights hold the navigator's.
 
     Raises:
         HrgError: too few positions after the start.
     """
+    count = len(increments) // SAMPLES * SAMPLES
+    increments, turned = increments.between(0, count), turned[: count + 1]
     after = fixes.select(fixes.has_position & (fixes.time > increments.start + SPACING))
     if len(after) < 2:
         raise HrgError(f"{fixes.source}: found {len(after)} positions held out, expected 2 or more")

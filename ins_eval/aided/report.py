@@ -12,12 +12,12 @@ import xarray as xr
 from matplotlib.figure import Figure
 from scipy.stats import chi2
 
-from ins_eval.aided.backward import Smoothed
 from ins_eval.aided.bias_map import BiasMap
 from ins_eval.aided.figure import plot_maps
-from ins_eval.aided.forward import Filtered
 from ins_eval.aided.hold_out import HoldOut
-from ins_eval.aided.sensors import SensorStates
+from ins_eval.aided.kalman.backward import Smoothed
+from ins_eval.aided.kalman.forward import Filtered
+from ins_eval.aided.kalman.sensors import SensorStates
 from ins_eval.alignment.result import euler_from_rotation_vector
 from ins_eval.common.rotation import euler_from_mat
 from ins_eval.error_model.dynamics import ATTITUDE
@@ -45,9 +45,9 @@ class AidedDrive:
     """A drive with fixes.
 
     name: of log and fixes; prior_name: of the IMU whose errors were the prior; duration: with fixes
-    that were used, s; unused: number of fixes outside the log; filtered, smoothed: of the navigator;
-    sensors: states; bias_map, prior_map: after and before the drive; visited: (m, 3) pattern angles,
-    rad, None for gyros without; hold_out: None if nothing was held out.
+    that were used, s; unused: number of fixes outside the log; filtered, smoothed: of the
+    navigator; sensors: states; bias_map, prior_map: after and before the drive; visited: (m, 3)
+    pattern angles, rad, None for gyros without; hold_out: None if nothing was held out.
     """
 
     name: str
@@ -76,8 +76,8 @@ class AidedDrive:
 
     @property
     def table(self) -> pd.DataFrame:
-        """Mean and harmonics' amplitudes of each gyro's bias, deg/h, with one-sigma after and before
-        the drive."""
+        """Mean and harmonics' amplitudes of each gyro's bias, deg/h, with one-sigma after and
+        before the drive."""
         size, sigma = self.bias_map.measure_amplitudes()
         _, before = self.prior_map.measure_amplitudes()
         means = self.bias_map.coefficients[:, 0]

@@ -24,8 +24,8 @@ class Drive:
     """Increments of a drive; a node is every `each` of them, `PARTS` nodes make a step.
 
     increments: of whole steps; each: increments between nodes; rate, force: (m, 3) at the nodes,
-    means over the increments around them, rad/s and m/s^2; turned: (m, 3) turn of each gyro from the
-    beginning, rad, by its pattern where that was recorded.
+    means over the increments around them, rad/s and m/s^2; turned: (m, 3) turn of each gyro from
+    the beginning, rad, by its pattern where that was recorded.
     """
 
     increments: Increments
@@ -35,19 +35,24 @@ class Drive:
     turned: Array
 
     @property
+    def rows(self) -> int:
+        """Number of increments in a step."""
+        return PARTS * self.each
+
+    @property
     def step(self) -> float:
-        """s"""
-        return PARTS * self.each * self.increments.interval
+        """Duration of a step, s."""
+        return self.rows * self.increments.interval
 
     @property
     def steps(self) -> int:
+        """Number of whole steps."""
         return (len(self.rate) - 1) // PARTS
 
     def navigate(self, start: State, first: int, last: int) -> tuple[Track, Motion]:
         """Navigated states at the nodes of steps `first` to `last` - 1, the start's among them, and
         the motion along them."""
-        per_step = PARTS * self.each
-        part = self.increments.between(first * per_step, last * per_step)
+        part = self.increments.between(first * self.rows, last * self.rows)
         way = navigate(start, part, Free(), self.each, SAMPLES)
         track = Track(
             np.concatenate([[part.start], way.time]),

@@ -7,23 +7,33 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 from scipy.stats import chi2
 
-from ins_eval.aided.drive import Drive
 from ins_eval.aided.fixes import Fixes
-from ins_eval.aided.measurements import Measurement, compare_fix, displace
-from ins_eval.aided.sensors import SensorStates
+from ins_eval.aided.kalman.drive import Drive
+from ins_eval.aided.kalman.measurements import Measurement, compare_fix, displace
+from ins_eval.aided.kalman.sensors import SensorStates
 from ins_eval.common.state import State, Track
 from ins_eval.error_model.dynamics import ATTITUDE, COUNT, POSITION, VELOCITY
 from ins_eval.error_model.linear_model import linearize
-from ins_eval.error_model.motion import PARTS
 from ins_eval.navigation.height import Free
 from pyhrg.common.arrays import Array
 
 SEGMENT = 10.0
-"""Time between feedbacks that is aimed at, s. Chosen: an attitude error of 3 deg moves the navigator
-by 25 m in it, and its square by 0.6 m."""
+"""Time between feedbacks that is aimed at, s. Chosen: an attitude error of 3 deg moves the
+navigator by 25 m in it, and its square by 0.6 m."""
+ALIGNED_SIGMA = 2e-3
+"""Standard deviation of the attitude, rad, below which the filter feeds back. Chosen: feedback of
+an estimate that is worse moves the navigator by more than the linear model takes; at 5 m/s^2 the
+square of 2e-3 is 1 micro-g."""
+LONGEST_UNALIGNED = 120.0
+"""Time from the beginning after which the filter feeds back anyway, s. Chosen: gyros of 10 deg/h
+turn the navigator by 6e-3 rad in it."""
 OUTLIER_PROBABILITY = 1e-6
 """A fix whose innovation is less probable than this is not used. Chosen: one in a million of good
 ones."""
+
+
+GATES = {count: float(chi2.isf(OUTLIER_PROBABILITY, count)) for count in (1, 3)}
+"""Largest normalised innovation squared of a fix of so many components."""
 
 
 @dataclass(frozen=True)
@@ -104,6 +114,11 @@ class Filter:
         self._product = np.outer(self._persistence, self._persistence)
         self._driving = np.diag(sensors.list_driving_variance(step))
 
+    @property
+    def attitude_sigma(self) -> float:
+        """Largest standard deviation of the attitude, rad."""
+        return float(np.sqrt(np.max(np.diag(self.covariance)[ATTITUDE])))
+
     def predict(self, transition: Array, inputs: Array, noise: Array) -> None:
         """Go on by a step (Eq. 2)."""
         p, x = self.covariance, self.mean
@@ -156,7 +171,7 @@ def run_filter(
         rows = np.arange(*np.searchsorted(bounds, [first, end], side="right"))
         track, motion = drive.navigate(state, first, end)
         model = linearize(motion, Free(), sensors.effects)
-        noise = _list_noise(model.constant_errors, sensors.noise, drive.step)
+        noise = list_noise(model.constant_errors, sensors.noise, drive.step)
         steps = []
         for k, transition in enumerate(model.transition):
             inputs = model.inputs[k].reshape(COUNT, -1)
@@ -166,7 +181,7 @@ def run_filter(
                 computed, rate = _interpolate(track, motion.rate, fixes.time[row])
                 lag = fixes.time[row] - motion.time[k + 1]
                 for measured in compare_fix(fixes, row, computed, rate, lag, lever_arm):
-                    gate = _find_gate(len(measured.variance)) if gated else np.inf
+                    gate = GATES[len(measured.variance)] if gated else np.inf
                     update = kalman.update(measured, gate)
                     outliers += update is None
                     updates += [update] if update else []
@@ -177,26 +192,21 @@ def run_filter(
                 steps, track.time[-1], state, kalman.mean.copy(), kalman.covariance[:COUNT].copy()
             )
         )
-        state = correct_state(state, kalman.mean[:COUNT])
-        kalman.mean[:COUNT] = 0.0
+        if kalman.attitude_sigma < ALIGNED_SIGMA or end * drive.step > LONGEST_UNALIGNED:
+            state = correct_state(state, kalman.mean[:COUNT])
+            kalman.mean[:COUNT] = 0.0
     return Filtered(segments, kalman.mean[COUNT:], kalman.covariance, state, outliers)
 
 
-GATES = {m: float(chi2.isf(OUTLIER_PROBABILITY, m)) for m in (1, 3)}
-
-
-def _find_gate(components: int) -> float:
-    return GATES[components]
-
-
-def _list_noise(constant_errors: Array, noise: Array, step: float) -> Array:
+def list_noise(constant_errors: Array, noise: Array, step: float) -> Array:
     """(k, 10, 10) covariance that the sensors' white noise adds in each step (Eq. 3)."""
     scaled = constant_errors * noise
     return np.asarray(scaled @ np.swapaxes(scaled, -1, -2) / step)
 
 
 def _pick_state(track: Track, row: int) -> State:
-    return State(*track.position[row].tolist(), track.velocity[row], track.mat_nb[row])
+    latitude, longitude, height = track.position[row].tolist()
+    return State(latitude, longitude, height, track.velocity[row], track.mat_nb[row])
 
 
 def correct_state(state: State, errors: Array) -> State:

@@ -4,11 +4,11 @@
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ins_eval.aided.backward import smooth
-from ins_eval.aided.drive import Drive
 from ins_eval.aided.fixes import Fixes
-from ins_eval.aided.forward import Start, correct_state, run_filter
-from ins_eval.aided.sensors import SensorStates
+from ins_eval.aided.kalman.backward import smooth
+from ins_eval.aided.kalman.drive import Drive
+from ins_eval.aided.kalman.forward import Start, correct_state, run_filter
+from ins_eval.aided.kalman.sensors import SensorStates
 from ins_eval.alignment.inertial_frame import integrate_in_inertial_frame
 from ins_eval.common import earth
 from ins_eval.common.state import State
@@ -66,7 +66,7 @@ def align_coarsely(drive: Drive, fixes: Fixes, lever_arm: Array) -> State:
         HrgError: too few positions.
     """
     part = fixes.select(fixes.has_position)
-    begin, interval = drive.increments.start, drive.increments.interval
+    begin = drive.increments.start
     span = min(WINDOW, drive.increments.duration, float(part.time[-1]) - begin) / SPANS
     bounds = begin + span * np.arange(SPANS + 1.0)
     if len(part) < 2 * SPANS or np.max(np.diff(part.time)) > span:

@@ -15,8 +15,9 @@ class SensorStates:
 
     effects: of gyros and accelerometers; deviations: (e, 3) of the coefficients, SI, at the
     beginning, and always where an effect has a correlation time; walks: (e, 3) density of a random
-    walk of the coefficients, SI per root of s; noise: (6,) coefficient N of the angle random walk of
-    each gyro, rad/sqrt(s), and of the velocity random walk of each accelerometer, m/s/sqrt(s).
+    walk of the coefficients, SI per root of s; noise: (6,) coefficient N of the angle random walk
+    of each gyro, rad/sqrt(s), and of the velocity random walk of each accelerometer,
+    m/s/sqrt(s).
     """
 
     effects: tuple[Effect, ...]

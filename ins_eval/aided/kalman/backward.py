@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ins_eval.aided.forward import Filtered, Step, correct_state
-from ins_eval.aided.sensors import SensorStates
+from ins_eval.aided.kalman.forward import Filtered, Step, correct_state
+from ins_eval.aided.kalman.sensors import SensorStates
 from ins_eval.common.state import Track
 from ins_eval.error_model.dynamics import COUNT
 from pyhrg.common.arrays import Array

@@ -1,7 +1,11 @@
-"""Figures of docs/methods/aided.md: `python -m benchmarks.aided [mean|map] [TRIADS]`.
+"""Figures of docs/methods/aided.md: `python -m benchmarks.aided COMMAND [NUMBER]`.
 
-Triads of seed 1, numbers from 100, in turn on four missions; fixes of 2 m at 1 Hz for two hours,
-then an hour without.
+command          what it prints
+mean [TRIADS]    flights on the FMU of triads whose maps' means are calibrated (seed 1, numbers from
+                 100), in turn on four missions: fixes of 2 m at 1 Hz for two hours, then an hour
+                 without
+map [TRIADS]     the same of triads whose whole maps are calibrated
+drawn [SEEDS]    NEES of drives whose sensors' errors are drawn from the filter's own prior
 """
 
 import sys
@@ -9,6 +13,7 @@ import sys
 import numpy as np
 from scipy.stats import chi2
 
+from benchmarks.aided.drawn import filter_drawn
 from benchmarks.aided.flown import STUDY_SEED, AidedTriad, fly_triads
 from ins_eval.study.experiment import load_fmu
 from ins_eval.study.gyros.drawn_triad import TriadDistribution
@@ -18,6 +23,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG_PER_H
 
 LEARNING, TRIADS, DRAWS = 12, 16, 1000
+DRAWN_MISSIONS, DRAWN_HOURS = ("city", "aircraft"), 0.5
 SEEN = 0.1
 """A direction among the harmonics is seen if the drive leaves at most this share of its
 variance."""
@@ -57,7 +63,7 @@ def print_row(triad: AidedTriad) -> None:
     )
 
 
-def main(method: str, count: int) -> None:
+def print_flown(method: str, count: int) -> None:
     population = TRIMMED if method == "mean" else RAW
     distribution = TriadDistribution(population=population, method=method)
     fmus = load_fmu("HRG"), load_fmu("HRGSlow")
@@ -100,6 +106,22 @@ def _compare_medians(corrected: Array, uncorrected: Array) -> Array:
     return np.asarray(np.median(corrected, axis=-1) / np.median(uncorrected, axis=-1))
 
 
+def print_drawn(count: int) -> None:
+    for mission in DRAWN_MISSIONS:
+        found = np.array(list(filter_drawn(mission, DRAWN_HOURS, count)))
+        square, degrees = found.sum(axis=0)
+        low, high = chi2.ppf((0.005, 0.995), degrees) / degrees
+        print(
+            f"{mission}: NEES {square / degrees:.3f} of {degrees:.0f} degrees in {count} drives, "
+            f"99 % band {low:.3f} to {high:.3f}",
+            flush=True,
+        )
+
+
 if __name__ == "__main__":
-    calibration = next((each for each in sys.argv[1:] if not each.isdigit()), "mean")
-    main(calibration, *([int(each) for each in sys.argv[1:] if each.isdigit()] or [TRIADS]))
+    command, *rest = sys.argv[1:]
+    number = int(rest[0]) if rest else TRIADS
+    if command == "drawn":
+        print_drawn(number)
+    else:
+        print_flown(command, number)

@@ -32,16 +32,20 @@ GROUPS = {
 A standstill is a velocity of 0. Sigmas are of each component."""
 HEIGHT_SIGMA = "height_sigma_m"
 """Optional column; without it, heights are as accurate as the other two."""
+KF_GINS = (TIME, *GROUPS["position"][:3], "sigma_north_m", "sigma_east_m", "sigma_down_m")
+"""Columns of the text format of KF-GINS: no header, fields in white space."""
 LIMITS = {
     "latitude_deg": (-89.0, 89.0),
     "longitude_deg": (-360.0, 360.0),
     "height_m": (-1000.0, 50_000.0),
-    **dict.fromkeys(("position_sigma_m", HEIGHT_SIGMA), (1e-4, 1000.0)),
+    **dict.fromkeys(("position_sigma_m", HEIGHT_SIGMA, *KF_GINS[4:]), (1e-4, 1000.0)),
     **dict.fromkeys(GROUPS["velocity"][:3], (-3000.0, 3000.0)),
     **dict.fromkeys(("velocity_sigma_m_s", "speed_sigma_m_s"), (1e-4, 100.0)),
     "speed_m_s": (-300.0, 300.0),
 }
 """Smallest and largest value of each column. Chosen: no vehicle goes beyond."""
+LONGEST_FIRST_LINE = 1000
+"""Number of characters in which the first line of a KF-GINS file ends. Chosen."""
 FEWEST = 30
 """Smallest number of positions. Chosen: fewer align no vehicle."""
 
@@ -96,25 +100,51 @@ def make_position_fixes(time: Array, position: Array, sigma: Array | float) -> F
 
 
 def read_fixes(path: Path | str) -> Fixes:
-    """Read fixes from a CSV file, gzipped or not (docs/aided.md).
+    """Read fixes from a CSV file or KF-GINS text, gzipped or not (docs/aided.md).
 
     Raises:
         HrgError: an unreadable file; no position; a column that is missing or appears twice; a
             field that is no number or beyond its limits; half a group; time that does not increase.
     """
     source = Path(path)
-    lines = parse_csv(source, decode(source, read_unpacked(source)))
-    _, names = next(lines, (1, []))
-    header = [name.strip() for name in names]
-    wanted = _choose_columns(source, header)
-    places = [header.index(name) for name in wanted]
-    numbered = list(lines)
+    text = decode(source, read_unpacked(source))
+    if _is_kf_gins(text):
+        wanted, places = list(KF_GINS), list(range(len(KF_GINS)))
+        numbered = _split_kf_gins(source, text)
+    else:
+        (_, names), *numbered = list(parse_csv(source, text)) or [(1, [])]
+        header = [name.strip() for name in names]
+        wanted = _choose_columns(source, header)
+        places = [header.index(name) for name in wanted]
     rows = [_parse_row(source, number, row, wanted, places) for number, row in numbered]
     values = np.array(rows).reshape(-1, len(wanted))
     columns = dict(zip(wanted, values.T, strict=True))
+    if wanted[4] == KF_GINS[4]:
+        north, east, columns[HEIGHT_SIGMA] = (columns.pop(name) for name in KF_GINS[4:])
+        columns["position_sigma_m"] = np.sqrt((north**2 + east**2) / 2)
     _check_groups(source, [number for number, _ in numbered], columns)
     _check_time(source, [number for number, _ in numbered], columns[TIME])
     return _assemble(source, columns)
+
+
+def _is_kf_gins(text: str) -> bool:
+    """Whether the first line has the numbers of `KF_GINS`, without commas."""
+    fields = text[:LONGEST_FIRST_LINE].split("\n", 1)[0].split()
+    try:
+        return len([float(field) for field in fields]) == len(KF_GINS)
+    except ValueError:
+        return False
+
+
+def _split_kf_gins(source: Path, text: str) -> list[tuple[int, list[str]]]:
+    """Number and fields of each row."""
+    lines = enumerate(text.splitlines(), start=1)
+    rows = [(number, line.split()) for number, line in lines if line.strip()]
+    for number, row in rows:
+        if len(row) != len(KF_GINS):
+            found = f"row {number}: found {len(row)} fields, expected {len(KF_GINS)}"
+            raise HrgError(f"{source}: {found}: {', '.join(KF_GINS)}")
+    return rows
 
 
 def _choose_columns(source: Path, header: Sequence[str]) -> list[str]:

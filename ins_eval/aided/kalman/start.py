@@ -36,7 +36,7 @@ def align_in_motion(drive: Drive, fixes: Fixes, sensors: SensorStates, lever_arm
         HrgError: too few positions in the window; rounds that do not settle.
     """
     window = fixes.between(-np.inf, drive.increments.start + WINDOW)
-    state = align_coarsely(drive, window, lever_arm)
+    state = align_coarsely(drive, window)
     covariance = np.zeros(COUNT)
     covariance[POSITION] = POSITION_SIGMA**2
     covariance[VELOCITY] = VELOCITY_SIGMA**2
@@ -59,8 +59,9 @@ def align_in_motion(drive: Drive, fixes: Fixes, sensors: SensorStates, lever_arm
     )
 
 
-def align_coarsely(drive: Drive, fixes: Fixes, lever_arm: Array) -> State:
-    """The state at the beginning by second differences of the positions (Eq. 12).
+def align_coarsely(drive: Drive, fixes: Fixes) -> State:
+    """The state at the beginning by second differences of the positions (Eq. 12), as if the antenna
+    were at the IMU.
 
     Raises:
         HrgError: too few positions.

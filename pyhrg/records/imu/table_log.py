@@ -38,7 +38,7 @@ def read_csv(source: str, lines: list[str], trusted: bool) -> RecordedImu:
     check_lengths(source, lines[1:], 2, header)
     places = [header.index(name) for name in columns]
     values = parse_numbers(source, lines[1:], 2, columns, ",", places)
-    return _build_log(source, kinds, values, 2, trusted)
+    return build_log(source, kinds, values, 2, trusted)
 
 
 def read_parquet(source: str, data: bytes, trusted: bool) -> RecordedImu:
@@ -53,7 +53,7 @@ def read_parquet(source: str, data: bytes, trusted: bool) -> RecordedImu:
         raise LogError(f"{source}: found {len(frame)} rows, expected at least {MIN_ROWS}")
     values = frame[columns].to_numpy(dtype=np.float64)
     check_finite(source, values, 1, columns)
-    return _build_log(source, kinds, values, 1, trusted)
+    return build_log(source, kinds, values, 1, trusted)
 
 
 def _list_columns(kinds: tuple[Quantity, ...]) -> list[str]:
@@ -74,9 +74,14 @@ def _choose_quantities(source: str, header: list[str]) -> tuple[Quantity, ...]:
     return tuple(kinds)
 
 
-def _build_log(
+def build_log(
     source: str, kinds: tuple[Quantity, ...], values: Array, first_row: int, trusted: bool
 ) -> RecordedImu:
+    """The log of a table: time, gyros, accelerometers, and pattern angles if there are any.
+
+    kinds: quantities of the columns after the time; values: (n, 7 or 10); first_row: number of the
+    first one in the file, for messages.
+    """
     time, readings = values[:, 0], [values[:, 1:4], values[:, 4:7]]
     gyros, accelerometers, *pattern = kinds
     interval = _find_interval(source, time, first_row)

@@ -51,3 +51,15 @@ def test_groups_may_be_empty_in_a_row(tmp_path: Path) -> None:
 def test_bad_files_are_refused(tmp_path: Path, header: str, rows: list[str], message: str) -> None:
     with pytest.raises(HrgError, match=message):
         read_fixes(write(tmp_path, header, rows))
+
+
+def test_text_of_kf_gins_is_read(tmp_path: Path) -> None:
+    rows = [f"{456250 + t:.3f}   30.44 114.47 21.1   0.3 0.4  0.9 " for t in range(40)]
+    fixes = read_fixes(write(tmp_path, rows[0], rows[1:]))
+    assert len(fixes) == 40
+    np.testing.assert_allclose(fixes.position[0], [np.deg2rad(30.44), np.deg2rad(114.47), 21.1])
+    np.testing.assert_allclose(fixes.position_sigma[0], [0.125**0.5, 0.125**0.5, 0.9])
+    with pytest.raises(HrgError, match="row 3, latitude_deg: found 3044, expected -89"):
+        read_fixes(write(tmp_path, rows[0], [rows[1], rows[2].replace("30.44", "3044"), *rows[3:]]))
+    with pytest.raises(HrgError, match="row 2: found 6 fields, expected 7"):
+        read_fixes(write(tmp_path, rows[0], [rows[1].replace("0.9", ""), *rows[2:]]))

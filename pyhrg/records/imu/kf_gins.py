@@ -1,22 +1,20 @@
 """Logs in the text format of KF-GINS (Wuhan University): no header, columns in white space."""
 
 from pyhrg.records.imu.log import ROTATION, TIME, VELOCITY, RecordedImu, parse_numbers
-from pyhrg.records.imu.table_log import build_log
+from pyhrg.records.imu.table_log import MAX_INTERVAL, build_log
 
 COLUMNS = (TIME, *ROTATION.columns, *VELOCITY.columns)
 """Seconds of the GNSS week at the end of the interval, increments along x forward, y right, z down;
 further columns, such as an odometer's, are ignored."""
 
 
-def is_kf_gins(line: str) -> bool:
-    """Whether the first line of a file is one of this format."""
-    fields = line.split()
-    if len(fields) < len(COLUMNS):
-        return False
+def is_kf_gins(lines: list[str]) -> bool:
+    """Whether the first two lines of a file are numbers of this format, with time increasing."""
     try:
-        return all(isinstance(float(field), float) for field in fields)
+        first, second = ([float(field) for field in line.split()] for line in lines[:2])
     except ValueError:
         return False
+    return min(len(first), len(second)) >= len(COLUMNS) and 0 < second[0] - first[0] <= MAX_INTERVAL
 
 
 def read_kf_gins(source: str, lines: list[str], trusted: bool = False) -> RecordedImu:

@@ -28,6 +28,6 @@ def read_imu_log(path: Path, trusted: bool = False) -> RecordedImu:
     lines = decode(path, data).rstrip().splitlines()
     if lines and lines[0].startswith(psins.COMMENT):
         return psins.read_psins(str(path), lines, trusted)
-    if lines and kf_gins.is_kf_gins(lines[0]):
+    if kf_gins.is_kf_gins(lines):
         return kf_gins.read_kf_gins(str(path), lines, trusted)
     return read_csv(str(path), lines, trusted)

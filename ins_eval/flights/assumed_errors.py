@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import compress
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -45,10 +46,16 @@ class AssumedErrors:
     @property
     def constant(self) -> "AssumedErrors":
         """The assumed errors without effects that wander."""
-        stays = [i for i, effect in enumerate(self.effects) if math.isinf(effect.correlation_time)]
-        return AssumedErrors(
-            tuple(self.effects[i] for i in stays), self.deviations[stays], self.noise
-        )
+        return self._keep([math.isinf(effect.correlation_time) for effect in self.effects])
+
+    @property
+    def without_gyros(self) -> "AssumedErrors":
+        """The assumed errors without effects of gyros."""
+        return self._keep([effect.sensor != "gyro" for effect in self.effects])
+
+    def _keep(self, chosen: Sequence[bool]) -> "AssumedErrors":
+        effects = tuple(compress(self.effects, chosen))
+        return AssumedErrors(effects, self.deviations[list(chosen)], self.noise)
 
 
 def assume_errors(imu: Imu, first_angle: Array | None = None) -> AssumedErrors:

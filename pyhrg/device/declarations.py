@@ -7,6 +7,7 @@ effects (`pyhrg.gap.effects.catalogue`) and the coordinates that an effect shows
 """
 
 import math
+import re
 from dataclasses import dataclass, field, fields
 from typing import Literal
 
@@ -72,6 +73,17 @@ class Declaration:
     effect: EffectDeclaration | None
     noise: EffectDeclaration | None
     known: ToleranceDeclaration | None
+    group: str
+
+    @property
+    def cause(self) -> str:
+        """Name of what is wrong where the value is not the ideal one, in the record format; empty
+        if the value belongs to the design."""
+        if self.group:
+            return self.group
+        if self.effect:
+            return self.effect.name
+        return self.known.name if self.known and self.known.family in ("bench", "record") else ""
 
 
 def parameter(
@@ -85,6 +97,7 @@ def parameter(
     effect: EffectDeclaration | None = None,
     noise: EffectDeclaration | None = None,
     known: ToleranceDeclaration | None = None,
+    group: str = "",
 ) -> float:
     """A field of a dataclass that is a parameter of a gyro.
 
@@ -99,6 +112,8 @@ def parameter(
         effect: set if a diagnosis may name it.
         noise: set if a diagnosis may find it as a noise.
         known: set if it is known within a tolerance; a diagnosis identifies it with all else.
+        group: name of the error that this parameter makes together with others; that of its effect
+            if empty.
     """
     declaration = Declaration(
         keys=(key,) if isinstance(key, str) else key,
@@ -109,6 +124,7 @@ def parameter(
         effect=effect,
         noise=noise,
         known=known,
+        group=group,
     )
     return field(default=default, metadata={"declaration": declaration})
 
@@ -118,3 +134,21 @@ def read_declarations(parameters: type) -> dict[str, Declaration]:
     return {
         f.name: f.metadata["declaration"] for f in fields(parameters) if "declaration" in f.metadata
     }
+
+
+USUAL = {
+    "g sensitive": "g-sensitive",
+    "coriolis": "Coriolis",
+    "duffing": "Duffing",
+    "pickoff": "pick-off",
+    "nonorthogonality": "non-orthogonality",
+}
+"""Words as they are usually written, by those of the record format."""
+
+
+def format_effect(name: str) -> str:
+    """An effect's name in words, with the field's hyphens and capitals."""
+    words = re.sub("(?<!nominal)_temperature$", "_over_temperature", name).replace("_", " ")
+    for plain, usual in USUAL.items():
+        words = words.replace(plain, usual)
+    return words

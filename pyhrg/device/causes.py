@@ -44,13 +44,13 @@ def list_causes(devices: Sequence[Device]) -> list[Cause]:
     stated = {
         name for d in devices for name, value in vars(d).items() if value != getattr(IDEAL, name)
     }
-    groups: dict[str, list[tuple[str, str]]] = {}
+    fields_by_key: dict[str, dict[str, str]] = {}
     for name, declaration in read_declarations(Device).items():
         if declaration.cause and name in stated:
-            groups.setdefault(declaration.cause, []).append((declaration.keys[0], name))
+            fields_by_key.setdefault(declaration.cause, {})[declaration.keys[0]] = name
     declared = [
-        Cause(format_effect(name), *(tuple(each) for each in zip(*members, strict=True)))
-        for name, members in groups.items()
+        Cause(format_effect(name), tuple(fields), tuple(fields.values()))
+        for name, fields in fields_by_key.items()
     ]
     tables = [Cause(name, (f"[{f}]",), (f,)) for f, name in TABLES.items() if f in stated]
     return [*declared, *tables, *_list_model_causes(devices)]

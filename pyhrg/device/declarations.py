@@ -2,8 +2,8 @@
 
 A field of a dataclass is declared by `parameter`. From the declarations follow the keys of device
 files (`pyhrg.device.keys`), the names in the FMU (`pyhrg.device.fmu_parameters`), the catalogue of
-effects (`pyhrg.gap.effects.catalogue`) and the coordinates that an effect shows in
-(`pyhrg.challenge.scoring.score`).
+effects (`pyhrg.gap.effects.catalogue`), the errors of a flight's budget (`pyhrg.device.causes`)
+and the coordinates that an effect shows in (`pyhrg.challenge.scoring.score`).
 """
 
 import math
@@ -44,7 +44,8 @@ class ToleranceDeclaration:
 
     name: of the cause if it is off by more, in the record format.
     family: see `Family`.
-    scale: typical size of a change of it, SI; a sensitivity is taken over a hundredth of it.
+    scale: typical size of a change of it, SI; a sensitivity is taken over a share of it
+        (docs/methods/effects.md, Eq. 1).
     tolerance: one standard deviation of the true value about the stated one, SI.
     relative_tolerance: the same over the stated value; the larger of the two holds.
     angle, periods: see `EffectDeclaration`.

@@ -33,7 +33,6 @@ from pyhrg.device.parameter_set import format_values
 
 FMI = 2
 """Version of the standard of all components: the one that every importer of an SSP runs."""
-PARAMETER_SET = "initialValues"
 """Name of every component's parameter set: Ecos applies those of one name."""
 
 
@@ -87,7 +86,7 @@ def write_system(
         "SystemStructure.ssd": structure.encode(),
         **_build_parts(truth, plan, chosen, progress),
         **{
-            f"resources/{component}.ssv": format_values(PARAMETER_SET, each).encode()
+            f"resources/{component}.ssv": format_values(each).encode()
             for component, each in values.items()
         },
     }

@@ -8,6 +8,8 @@ from pyhrg.device.device import Device
 
 NAMESPACE = "http://ssp-standard.org/SSP1/SystemStructureParameterValues"
 
+SET_NAME = "initialValues"
+"""What every set is called: importers apply the sets of one name to a system."""
 INTEGERS = frozenset({"seed", "controller.forceToRebalance"})
 """Parameters of the FMU that are integers."""
 
@@ -15,15 +17,16 @@ INTEGERS = frozenset({"seed", "controller.forceToRebalance"})
 def format_parameter_set(device: Device) -> str:
     """Text of a file of SystemStructureParameterValues 1.0 (`.ssv`): the start angle, and the FMU's
     parameters that differ from its defaults, by the FMU's names, in its units."""
-    return format_values(
-        device.name, {"startAngle": device.power_on_angle, **device.fmu_parameters()}
-    )
+    values = {"startAngle": device.power_on_angle, **device.fmu_parameters()}
+    return format_values(values, device.name)
 
 
-def format_values(name: str, values: Mapping[str, float]) -> str:
-    """Text of such a file: the name of the set, and its values by an FMU's names, in its units."""
+def format_values(values: Mapping[str, float], description: str = "") -> str:
+    """Text of such a file: values by an FMU's names, in its units, and what the set is of."""
     ET.register_namespace("ssv", NAMESPACE)
-    root = ET.Element(f"{{{NAMESPACE}}}ParameterSet", version="1.0", name=name)
+    root = ET.Element(f"{{{NAMESPACE}}}ParameterSet", version="1.0", name=SET_NAME)
+    if description:
+        root.set("description", description)
     parameters = ET.SubElement(root, f"{{{NAMESPACE}}}Parameters")
     for key, value in sorted(values.items()):
         parameter = ET.SubElement(parameters, f"{{{NAMESPACE}}}Parameter", name=key)

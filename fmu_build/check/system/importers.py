@@ -52,10 +52,12 @@ def plan_run(system: System) -> SystemRun:
         for component in system.components
         for name, reference in list_outputs(system.fmus[component.source]).items()
     }
-    versions = {name_standard(fmu) for fmu in system.fmus.values()}
+    needed = {name_standard(fmu) for fmu in system.fmus.values()}
+    if system.connectors[None]:
+        needed.add("connectors of the system itself")
     return SystemRun(
         path=str(system.path.resolve()),
-        standards=(f"SSP {system.structure.get('version')}", *sorted(versions)),
+        standards=(f"SSP {system.structure.get('version')}", *sorted(needed)),
         start=start,
         step=float(named[0]) if named and named[0] else STEP_SHARE * span,
         steps=STEPS,

@@ -110,12 +110,22 @@ def check_values(system: System) -> Iterator[str]:
                     yield f"{place}: {name} for {component.name}: {trouble}"
 
 
+def check_set_names(system: System) -> Iterator[str]:
+    """Importers apply the sets of one name: Ecos leaves out others without a word."""
+    sets = [(place, v) for c in system.components for place, v in c.values.items()]
+    names = sorted({parameters.get("name", "") for _, parameters in sets})
+    for place, parameters in sets:
+        if parameters.get("name", "") != names[0]:
+            yield f"{place}: found a set called {parameters.get('name')}, another is {names[0]}"
+
+
 RULES: dict[str, Rule] = {
     f"the description and the parameter sets are those of SSP {SCHEMA} (FMPy)": check_schema,
     "every component has a name of its own and its FMU": check_sources,
     "connectors are variables of their FMU, of that kind, type and unit": check_connectors,
     "connections lead from an output to one input": check_connections,
     "parameter sets name what can be set, with values in range": check_values,
+    "parameter sets have one name": check_set_names,
 }
 """All rules by what they ask."""
 

@@ -125,6 +125,7 @@ class FmuGyros:
             angle_random_walk=_rms([device.angle_random_walk for device in devices]),
             gyro_bias_instability=_rms([device.bias_instability for device in devices]),
             angle_quantization_step=_rms([_quantization_step(device) for device in devices]),
+            gyro_rate_random_walk=_rms([device.rate_random_walk for device in devices]),
         )
 
 

@@ -119,6 +119,8 @@ CASES: dict[str, tuple[float, Values, Values]] = {
     "drive.gainPerVoltage": (1.0, {}, {"biasVoltage": 1.1}),
     "drive.nonOrthogonality": (0.1, {}, {}),
     "drive.gainMismatch": (0.1, {}, {}),
+    "drive.pumpAnisotropy": (0.05, {"drive.pumpAxis": 0.3, "controller.parametricShare": 0.5}, {}),
+    "controller.parametricShare": (1.0, {"drive.frameRotation": 0.1, **SPLIT}, {}),
     "controller.quadratureSetpoint": (0.01, SPLIT, {}),
     "controller.synthesis.loopDelay": (0.01, {}, {}),
     "controller.readout.clockError": (1e-3, {}, {"virtualRotation": 0.1}),

@@ -3,6 +3,7 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
   extends PartialController;
   parameter Units.RelativeForce startForce "Force on the antinode at time 0";
   output Units.RelativeForce force[4] "Commanded force {cos x, sin x, cos y, sin y}";
+  output Units.DampingCoefficient pump "Commanded growth by parametric drive";
   output Units.RelativeForce acting[4] "Force that was held up to the sample";
   ProportionalIntegral phaseLoop(
     samplePeriod = samplePeriod,
@@ -50,6 +51,7 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
     "All rotation commanded";
   ForceSynthesis synthesis(
     samplePeriod = samplePeriod,
+    parametricShare = parametricShare,
     startAngle = startAngle,
     patternAngle = detector.patternAngle,
     cosine = detector.cosine,
@@ -66,6 +68,7 @@ equation
   growthRate = synthesis.drivenGrowth;
   quadratureForce = synthesis.square;
   force = synthesis.force;
+  pump = synthesis.pump;
   acting = synthesis.acting;
   reference = phaseLoop.command;
   annotation (Documentation(info="<html>

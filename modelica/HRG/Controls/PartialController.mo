@@ -5,6 +5,8 @@ partial block PartialController "What all control electronics have: detection, s
   parameter Integer forceToRebalance(min = 0, max = 1) = 0 "0: whole-angle mode; 1: the pattern is held at the start angle";
   parameter Units.RelativeDisplacement quadratureSetpoint(min = -0.5, max = 0.5) = 0
     "Quadrature that the loop leaves (residual), typically 1e-4 to 1e-3";
+  parameter Units.DimensionlessRatio parametricShare(min = 0, max = 1) = 0
+    "Share of the amplitude force that parametric drive gives, typically 0 or 1";
   input Units.RelativeDisplacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
   input Units.RelativeDisplacement amplitudeSetpoint "Antinode amplitude to hold";
   input Units.Angle phaseOffset "Added to the detected phase";

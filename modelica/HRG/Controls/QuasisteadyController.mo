@@ -10,6 +10,7 @@ block QuasisteadyController "Control electronics whose loops follow at once"
   input Units.AngularVelocity coupling "Bryan coupling of the modes";
   input Units.RelativeDisplacement analogue[4] "Reading before noise and conversion";
   input Units.DimensionlessRatio driveGain[4] "Drives' force over command";
+  input Units.DimensionlessRatio pumpGain[3] "Growth by parametric drive over command, of x, of y and between them";
   output Real rates[4] "Derivatives of modal angle, amplitude, quadrature and phase";
   output Units.RelativeForce force[4] "Force in action {cos x, sin x, cos y, sin y}";
   QuasisteadyLoops synthesis(
@@ -23,6 +24,8 @@ block QuasisteadyController "Control electronics whose loops follow at once"
     coupling = coupling,
     analogue = analogue,
     driveGain = driveGain,
+    pumpGain = pumpGain,
+    parametricShare = parametricShare,
     authority = authority,
     driveOn = driveOn,
     amplitudeAim = startUp.aim,

@@ -15,6 +15,7 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     biasVoltage = biasVoltage,
     vibration = vibration,
     reference = controller.reference,
+    pumping = drive.pumping,
     force = drive.force) "Vibrating shell";
   Electrodes.CarrierPickOff pickOff(
     ringErrors = ring.errors,
@@ -36,6 +37,7 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
   Electrodes.Drive drive(
     ringErrors = ring.errors,
     command = controller.force,
+    pump = controller.pump,
     acceleration = {accelerationX, accelerationY, accelerationZ},
     biasVoltage = biasVoltage,
     temperatureRate = resonator.environment.temperatureRate,

@@ -14,6 +14,7 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
     biasVoltage = biasVoltage,
     vibration = vibration,
     reference = controller.reference,
+    pumping = drive.pumping,
     force = drive.force) "Vibrating shell";
   Electrodes.PickOff pickOff(
     ringErrors = ring.errors,
@@ -30,6 +31,7 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
   Electrodes.Drive drive(
     ringErrors = ring.errors,
     command = controller.force,
+    pump = controller.pump,
     acceleration = {accelerationX, accelerationY, accelerationZ},
     biasVoltage = biasVoltage,
     temperatureRate = resonator.environment.temperatureRate,

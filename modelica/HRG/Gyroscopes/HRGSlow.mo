@@ -55,6 +55,7 @@ model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-ste
     coupling = resonator.material.coupling,
     analogue = pickOff.analogue,
     driveGain = drive.gain,
+    pumpGain = drive.pumpGain,
     authority = drive.authority) "Control electronics";
 equation
   gyroAngle = controller.readout.gyroAngle;

@@ -54,6 +54,10 @@ class ScalarParameters(ShellParameters):
         known=ToleranceDeclaration("nominal_phase_loop", "nominal", 20.0, relative_tolerance=0.02),
     )
     """Natural frequency of the phase loop, rad/s."""
+    parametric_share: float = parameter(
+        key="parametric_share", limits=(0, 1), fmu="controller.parametricShare"
+    )
+    """Share of the amplitude force that parametric drive gives."""
     control_period: float = parameter(1e-3, key="control_period_s", limits=(1e-3, 1e-3))
     """Period of the control electronics [Ts], s; the FMU knows this one alone."""
     loop_delay: float = parameter(

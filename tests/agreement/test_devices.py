@@ -100,6 +100,18 @@ AT_REST: dict[str, tuple[Mapping[str, float], Mapping[str, float], Expected]] = 
         {},
         ("bias", 1e-4 / (2 * K * TAU) * np.sin(4 * (ANGLES - 20 * DEG))),
     ),
+    "mode reversal: the sweeps' share of what they cross": (
+        {
+            "damping_anisotropy_per_s": 1e-6,
+            "damping_axis_deg": 20.0,
+            "sweep_angle_deg": 45.0,
+            "sweep_time_s": 5.0,
+            "sweep_rest_s": 5.0,
+            "model": {"controller.forceToRebalance": 1.0},
+        },
+        {},
+        ("bias", -1e-6 / (4 * K * math.pi) * np.cos(4 * (ANGLES - 20 * DEG))),
+    ),
     "phase error with split: -(dw p/4k) s4''": (
         {**SPLIT, "phase_error_rad": 1e-3},
         {},

@@ -32,7 +32,8 @@ block QuasisteadyController "Control electronics whose loops follow at once"
     amplitudeRate = startUp.aimRate,
     quadratureAim = quadratureSetpoint,
     phaseAim = -phaseOffset,
-    modalAim = 2*startAngle,
+    modalAim = 2*(startAngle + swept),
+    sweepRate = sweep.rate,
     rebalance = forceToRebalance,
     patternRate = readout.patternRate) "Loops and forces";
   DampingCancellation cancellation(cosine = synthesis.detection[4], sine = synthesis.detection[5])
@@ -41,7 +42,7 @@ block QuasisteadyController "Control electronics whose loops follow at once"
     samplePeriod = samplePeriod,
     patternAngle = detector.patternAngle,
     commandedAngle = commanded,
-    commandedRate = readout.bryanFactor*virtualRotation,
+    commandedRate = readout.bryanFactor*virtualRotation + sweep.rate,
     lostRate = synthesis.lostRate,
     driveOn = driveOn,
     unknownRate = cancellation.patternRate + rateNoise,
@@ -50,6 +51,7 @@ block QuasisteadyController "Control electronics whose loops follow at once"
     correction = biasMap.correction) "Angle of the case";
 protected
   Units.Angle commanded(start = startAngle, fixed = true) "Pattern angle at time 0 and all rotation counted since";
+  Units.Angle swept(start = 0, fixed = true) "Position of the sweep";
   Units.AngularVelocity counted "Rotation that is counted in the force-to-rebalance mode";
 equation
   expectedAngle = modalAngle;
@@ -57,11 +59,13 @@ equation
   counted = driveOn*(synthesis.drivenRate - readout.unknownRate)*(1 - gainNoise/(1 + readout.virtualRotationError))
     /(1 + readout.virtualRotationError);
   der(commanded) = readout.countedRate + forceToRebalance*((1 + readout.clockError)*counted - readout.countedRate);
+  der(swept) = sweep.rate;
   rates = {synthesis.motion[1], synthesis.motion[2], synthesis.motion[3], synthesis.motion[4]};
   force = synthesis.force;
   growthRate = synthesis.growthRate;
   quadratureForce = synthesis.quadratureForce;
   reference = synthesis.motion[8];
+  commandedTurn = (1 - forceToRebalance)*(2*readout.bryanFactor*virtualRotation*driveOn) + 2*sweep.rate*driveOn;
   annotation (Documentation(info="<html>
 <p>The parts of <code>Controller</code> around <code>QuasisteadyLoops</code>: forces are those that hold amplitude, quadrature and phase,
 and the rotation that they command is counted continuously. In the force-to-rebalance mode the counted rotation is the one that

@@ -22,6 +22,7 @@ block QuasisteadyLoops "Loops that follow at once, and the forces they need"
   input Units.RelativeDisplacement quadratureAim "Detected quadrature to hold";
   input Units.Angle phaseAim "Detected phase to hold";
   input Units.Angle modalAim "Detected modal angle to hold in the force-to-rebalance mode";
+  input Units.AngularVelocity sweepRate "Commanded rotation of the pattern by the sweep";
   input Real rebalance "1 in the force-to-rebalance mode, 0 in the whole-angle mode";
   input Units.AngularVelocity patternRate "Commanded rotation of the pattern, in the whole-angle mode";
   output Real detection[6] "Detected orbit, as of deviation()";
@@ -45,7 +46,7 @@ protected
 equation
   command = noEvent(if driveOn > 0 then 1/driveOn else 0);
   detection = deviation(analogue, axes);
-  turning = (1 - rebalance)*(2*patternRate*driveOn - coupling);
+  turning = (1 - rebalance)*(2*patternRate*driveOn - coupling) + rebalance*2*sweepRate*driveOn;
   hold = controlPeriod/2*turning;
   delay = loopDelay*turning;
   turn = {1 - delay*delay/2, delay - delay*delay*delay/6};
@@ -54,7 +55,7 @@ equation
     (turn[1] - hold*turn[2])*detection[5] - (turn[2] + hold*turn[1])*detection[4]};
   motion = precession(
     freeRates, amplitude, quadrature, axes, detection[1], aim, driveGain, pumpGain, parametricShare, authority, driveOn,
-    {quickness*(modalAim - modalAngle - detection[6]),
+    {quickness*(modalAim - modalAngle - detection[6]) + 2*sweepRate,
      quickness*(amplitudeAim - detection[1]) + amplitudeRate,
      quickness*(quadratureAim - detection[2]),
      quickness*(phaseAim - phase - detection[3])},

@@ -30,8 +30,7 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     acceleration = {accelerationX, accelerationY, accelerationZ},
     gradient = resonator.environment.gradient,
     age = resonator.environment.age,
-    turning = (1 - controller.forceToRebalance)
-      *(2*controller.readout.bryanFactor*virtualRotation*driveOn - resonator.material.coupling),
+    turning = controller.commandedTurn - (1 - controller.forceToRebalance)*resonator.material.coupling,
     biasVoltage = biasVoltage,
     noise = noise.displacement) "Pick-offs, converters and demodulation";
   Electrodes.Drive drive(

@@ -51,6 +51,8 @@ those of Conventions. Each line is demonstrated by models of <code>HRG.Validatio
 <tr><td>whole-angle</td><td>default</td></tr>
 <tr><td>force-to-rebalance</td><td><code>controller.forceToRebalance = 1</code>: the pattern is held at the start angle</td></tr>
 <tr><td>virtual rotation</td><td>input <code>virtualRotation</code>, an input rate: constant, reversing or swept as it is driven</td></tr>
+<tr><td>mode reversal</td><td><code>controller.sweep.angle</code> = 45 degrees with rests (<code>controller.sweep.restTime</code>), in the force-to-rebalance mode: antinode and node change places, a fourth harmonic of the bias its sign. What the sweeps leave: (2/pi) of it, in their share of the time</td></tr>
+<tr><td>dither of the pattern</td><td><code>controller.sweep.angle</code> = 90 degrees without rests, in either mode: every multiple of the fourth harmonic averages out. A gain error e of the rotation shows as -e times the position over k, and comes and goes</td></tr>
 <tr><td>parametric drive</td><td><code>controller.parametricShare</code> = 1: the amplitude is held by a stiffness that is pumped at twice the frequency. What the force that sustains it made of 2 to 6 and 15 is gone (share s: 1 - s of it); 37 comes</td></tr>
 <tr><td>ring-down</td><td>input <code>driveOn = 0</code>: amplitude, quadrature and rotation forces off, phase tracking on</td></tr>
 <tr><td>start-up</td><td><code>startAmplitude</code>, <code>controller.startUp.*</code>: a small vibration within 1 s, full amplitude at 10 s, output <code>valid</code></td></tr>

@@ -41,7 +41,7 @@ TERMINALS = (
         (
             *(f"reading[{i}]" for i in range(1, 5)),
             *(f"force[{i}]" for i in range(1, 5)),
-            *("reference", "commandedRate", "isHeld"),
+            *("pump", "reference", "commandedRate", "isHeld"),
         ),
     ),
     (

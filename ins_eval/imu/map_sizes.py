@@ -24,7 +24,8 @@ class MapSizes:
     pick_off: of the harmonics of the relative gain of the pick-offs. They shift the detected angle;
         the amplitude force then acts at a wrong angle, which adds a bias.
     scale_factor: relative.
-    decay_time: s.
+    decay_time: over the share of the amplitude force that electrodes give, s; infinite where
+        parametric drive gives all.
     """
 
     mean: float
@@ -49,7 +50,7 @@ def size_maps(device: Device, own_axes: bool, calibrated: bool) -> MapSizes:
     its own axes (`Device.another`); calibrated: whether the mean bias is measured and subtracted.
     """
     scatter = _read_scatter(device)
-    force = 1 / (4 * device.bryan_factor * device.decay_time)
+    force = 1 / (4 * device.bryan_factor * _find_driven_decay_time(device))
     taken, detected = device.bias_map, device.scale_factor_map
     fourth = [*_list_bias_phasors(device), -complex(taken.cos4, taken.sin4)]
     gain = [
@@ -74,21 +75,28 @@ def size_maps(device: Device, own_axes: bool, calibrated: bool) -> MapSizes:
         pick_off={harmonic: size / math.sqrt(2) for harmonic, size in pick_off.items()},
         scale_factor=abs(
             theory.hold_scale_factor_error(
-                device.control_period, device.loop_delay, device.decay_time
+                device.control_period, device.loop_delay, _find_driven_decay_time(device)
             )
         ),
-        decay_time=device.decay_time,
+        decay_time=_find_driven_decay_time(device),
         bryan_factor=device.bryan_factor,
     )
 
 
+def _find_driven_decay_time(device: Device) -> float:
+    driven = 1 - device.parametric_share
+    return device.decay_time / driven if driven else math.inf
+
+
 def _list_bias_phasors(device: Device) -> list[complex]:
-    """Fourth harmonics of the bias by damping, split and drives, as of `static_bias_phasor`."""
+    """Fourth harmonics of the bias by damping, split, drives and pump, as of
+    `static_bias_phasor`."""
     alike = device.without_anisotropy()
     names = (
         ("damping_anisotropy",),
         ("frequency_split",),
         ("drive_gain_mismatch", "drive_nonorthogonality"),
+        ("pump_anisotropy",),
     )
     return [
         theory.static_bias_phasor(replace(alike, **{name: getattr(device, name) for name in each}))
@@ -103,7 +111,7 @@ def _add(phasors: Iterable[complex], own_axes: bool) -> float:
 
 def _size_mean(device: Device, own_axes: bool, calibrated: bool) -> float:
     """Standard deviation of the mean bias, rad/s; calibration leaves its noise and the scatter."""
-    force = 1 / (4 * device.bryan_factor * device.decay_time)
+    force = 1 / (4 * device.bryan_factor * _find_driven_decay_time(device))
     scattered = force * math.hypot(*(part.imag for part in _read_scatter(device).values()))
     if calibrated:
         noise = device.angle_random_walk / math.sqrt(CALIBRATION_TIME)

@@ -96,6 +96,7 @@ class Device(ScalarParameters):
             pickoff_nonorthogonality=0.0,
             drive_gain_mismatch=0.0,
             drive_nonorthogonality=0.0,
+            pump_anisotropy=0.0,
         )
 
     def without_noise(self) -> "Device":

@@ -19,28 +19,43 @@ def static_bias_phasor(device: Device) -> complex:
     First order in every imperfection, loops closed: damping anisotropy gives
     -(D/4k) sin 4(th - th_tau); a gain mismatch g of pick-offs or drives +(g/4k tau) sin 4th (the
     force that sustains the amplitude is misaimed); a non-orthogonality d -(d/4k tau)(1 + cos 4th);
-    a frequency split with phase error p -(dw p/4k) sin 4(th - th_w).
+    a frequency split with phase error p -(dw p/4k) sin 4(th - th_w). The share s of the amplitude
+    force that parametric drive gives is not misaimed; its anisotropy n gives
+    +(s n/2k tau) sin 4(th - th_n).
     """
-    tau = device.decay_time
-    gain = (device.pickoff_gain_mismatch + device.drive_gain_mismatch) / tau
-    skew = (device.pickoff_nonorthogonality + device.drive_nonorthogonality) / tau
-    damping = device.damping_anisotropy * np.exp(4j * device.damping_axis)
+    gain, skew = _misaimed_force(device)
+    growth = device.damping_anisotropy * np.exp(4j * device.damping_axis) - _pump(device) - gain
     split = device.frequency_split * device.phase_error * np.exp(4j * device.stiffness_axis)
-    return complex((-1j * (damping + split - gain) - skew) / (4 * device.bryan_factor))
+    return complex((-1j * (growth + split) - skew) / (4 * device.bryan_factor))
+
+
+def _misaimed_force(device: Device) -> tuple[float, float]:
+    """Gain mismatch and non-orthogonality of pick-offs and drives, over the decay time, 1/s, for
+    the share of the amplitude force that electrodes give along the detected axes."""
+    driven = (1 - device.parametric_share) / device.decay_time
+    gain = device.pickoff_gain_mismatch + device.drive_gain_mismatch
+    skew = device.pickoff_nonorthogonality + device.drive_nonorthogonality
+    return driven * gain, driven * skew
+
+
+def _pump(device: Device) -> complex:
+    """Anisotropy of damping that an anisotropy of parametric drive is the opposite of, 1/s."""
+    growth = 2 * device.parametric_share / device.decay_time * device.pump_anisotropy
+    return complex(growth * np.exp(4j * device.pump_axis))
 
 
 def amplitude_force_phasor(device: Device) -> complex:
     """Fourth harmonic H of the amplitude force at rest, G(th) = mean + Re(H exp(-4i th)), 1/s.
 
     First order, loops closed: (D/2) cos 4(th - th_tau) of damping anisotropy, -(g/2 tau) cos 4th of
-    gain mismatches, -(d/2 tau) sin 4th of non-orthogonalities. But for a split with phase error it
-    is 2ik times `static_bias_phasor`: the bias is the slope of the amplitude force over 8k.
+    gain mismatches, -(d/2 tau) sin 4th of non-orthogonalities; of parametric drive's share s their
+    part is missing, and its anisotropy n gives -(s n/tau) cos 4(th - th_n). But for a split with
+    phase error it is 2ik times `static_bias_phasor`: the bias is the slope of the amplitude force
+    over 8k.
     """
-    tau = device.decay_time
-    gain = (device.pickoff_gain_mismatch + device.drive_gain_mismatch) / tau
-    skew = (device.pickoff_nonorthogonality + device.drive_nonorthogonality) / tau
+    gain, skew = _misaimed_force(device)
     damping = device.damping_anisotropy * np.exp(4j * device.damping_axis)
-    return complex((damping - gain - 1j * skew) / 2)
+    return complex((damping - _pump(device) - gain - 1j * skew) / 2)
 
 
 def turning_amplitude_force_phasor(device: Device) -> complex:
@@ -71,14 +86,16 @@ def static_bias(device: Device, pattern_angle: ArrayLike) -> NDArray[np.float64]
 
 
 def mean_bias(device: Device) -> float:
-    """Output bias at rest averaged over the circumference, rad/s: -(d + nd + 2e)/(4 k tau).
+    """Output bias at rest averaged over the circumference, rad/s: -(1 - s)(d + nd + 2e)/(4 k tau).
 
     The non-orthogonalities d of the pick-offs and nd of the drives, and the rotation e of the drive
-    frame, aim the force that sustains the amplitude across the pattern.
+    frame, aim the force that sustains the amplitude across the pattern, but for the share s of
+    parametric drive.
     """
     skew = device.pickoff_nonorthogonality + device.drive_nonorthogonality
     skew += 2 * device.drive_frame_rotation
-    return -skew / (4 * device.bryan_factor * device.decay_time)
+    driven = (1 - device.parametric_share) / device.decay_time
+    return -skew * driven / (4 * device.bryan_factor)
 
 
 def circumferential_bias_stability(device: Device) -> float:

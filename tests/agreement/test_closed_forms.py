@@ -27,6 +27,9 @@ SINGLE_EFFECTS = {
     "drive gain": Device(drive_gain_mismatch=1e-4),
     "pick-off non-orthogonality": Device(pickoff_nonorthogonality=1e-4),
     "drive non-orthogonality": Device(drive_nonorthogonality=1e-4),
+    "anisotropy of parametric drive": Device(
+        parametric_share=0.7, pump_anisotropy=1e-4, pump_axis=20 * DEG, pickoff_gain_mismatch=1e-4
+    ),
     "frequency split and phase error": Device(
         frequency_split=2 * math.pi * 1e-3, stiffness_axis=50 * DEG, phase_error=1e-3
     ),

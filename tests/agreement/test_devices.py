@@ -72,6 +72,28 @@ AT_REST: dict[str, tuple[Mapping[str, float], Mapping[str, float], Expected]] = 
         {},
         ("bias", -1e-4 / (2 * K * TAU) * ONE),
     ),
+    "parametric drive: as much less of what forces misaim": (
+        {"drive_frame_rotation_rad": 1e-4, "parametric_share": 0.75},
+        {},
+        ("bias", -1e-4 / 4 / (2 * K * TAU) * ONE),
+    ),
+    "anisotropy of parametric drive: (n/2k tau) sin 4(th - th_n)": (
+        {"parametric_share": 1.0, "pump_anisotropy": 1e-4, "pump_axis_deg": 20.0},
+        {},
+        ("bias", 1e-4 / (2 * K * TAU) * np.sin(4 * (ANGLES - 20 * DEG))),
+    ),
+    "mode reversal: the sweeps' share of what they cross": (
+        {
+            "damping_anisotropy_per_s": 1e-6,
+            "damping_axis_deg": 20.0,
+            "sweep_angle_deg": 45.0,
+            "sweep_time_s": 5.0,
+            "sweep_rest_s": 5.0,
+            "model": {"controller.forceToRebalance": 1.0},
+        },
+        {},
+        ("bias", -1e-6 / (4 * K * math.pi) * np.cos(4 * (ANGLES - 20 * DEG))),
+    ),
     "phase error with split: -(dw p/4k) s4''": (
         {**SPLIT, "phase_error_rad": 1e-3},
         {},

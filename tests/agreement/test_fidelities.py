@@ -36,6 +36,11 @@ DEFECTS = {
     "resonator.massDefects.third": 0.01,
     "resonator.massDefects.lateralLoss": 5.0,
 }
+SWEPT = {
+    "resonator.material.dampingAnisotropy": 1e-5,
+    "controller.forceToRebalance": 1.0,
+    "controller.sweep.sweepTime": 7.0,
+}
 RECTIFYING = {f"pickOff.gainPerAccelerationSquared[{i}]": 1e-4 for i in (1, 2, 3)}
 PUSHED = {"accelerationX": 7.0, "accelerationY": 8.0, "accelerationZ": -9.0}
 
@@ -119,6 +124,10 @@ CASES: dict[str, tuple[float, Values, Values]] = {
     "drive.gainPerVoltage": (1.0, {}, {"biasVoltage": 1.1}),
     "drive.nonOrthogonality": (0.1, {}, {}),
     "drive.gainMismatch": (0.1, {}, {}),
+    "drive.pumpAnisotropy": (0.05, {"drive.pumpAxis": 0.3, "controller.parametricShare": 0.5}, {}),
+    "controller.parametricShare": (1.0, {"drive.frameRotation": 0.1, **SPLIT}, {}),
+    "controller.sweep.angle": (0.5, {**SWEPT, "controller.sweep.restTime": 5.0}, {}),
+    "controller.sweep.restTime": (5.0, {**SWEPT, "controller.sweep.angle": 0.5}, {}),
     "controller.quadratureSetpoint": (0.01, SPLIT, {}),
     "controller.synthesis.loopDelay": (0.01, {}, {}),
     "controller.readout.clockError": (1e-3, {}, {"virtualRotation": 0.1}),

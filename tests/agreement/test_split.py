@@ -11,7 +11,7 @@ from tests.fmu_build.importer import Importer
 
 PERIOD = 1e-3
 FORCE, READING = ([f"{name}[{i}]" for i in (1, 2, 3, 4)] for name in ("force", "reading"))
-COMMANDS = [*FORCE, "reference", "commandedRate", "isHeld"]
+COMMANDS = [*FORCE, "pump", "reference", "commandedRate", "isHeld"]
 OUTPUTS = ["gyroAngle", "gyroRate", "amplitude", "quadrature", "quadratureForce", "valid"]
 SHARED = {
     "seed": 7,
@@ -30,7 +30,11 @@ PLANT = {
     "pickOff.feedthrough": 1e-4,
     "drive.nonOrthogonality": 2e-3,
 }
-ELECTRONICS = {"controller.synthesis.loopDelay": 1e-4, "controller.readout.clockError": 1e-6}
+ELECTRONICS = {
+    "controller.synthesis.loopDelay": 1e-4,
+    "controller.readout.clockError": 1e-6,
+    "controller.parametricShare": 0.5,
+}
 AUTHORITY = 0.05
 
 

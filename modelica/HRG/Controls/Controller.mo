@@ -3,6 +3,7 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
   extends PartialController;
   parameter Units.RelativeForce startForce "Force on the antinode at time 0";
   output Units.RelativeForce force[4] "Commanded force {cos x, sin x, cos y, sin y}";
+  output Units.DampingCoefficient pump "Commanded growth by parametric drive";
   output Units.RelativeForce acting[4] "Force that was held up to the sample";
   ProportionalIntegral phaseLoop(
     samplePeriod = samplePeriod,
@@ -30,7 +31,7 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
     naturalFrequency = 100,
     final startCommand(unit = "rad/s") = 0,
     frozen = synthesis.wasOverloaded,
-    error(unit = "rad") = driveOn*forceToRebalance*(startAngle - detector.patternAngle),
+    error(unit = "rad") = driveOn*forceToRebalance*(startAngle + sweep.position - detector.patternAngle),
     command(unit = "rad/s"),
     integral(unit = "rad.s"))
     "Holds the pattern in the force-to-rebalance mode";
@@ -39,7 +40,7 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
     samplePeriod = samplePeriod,
     patternAngle = detector.patternAngle,
     commandedAngle = commanded.angle,
-    commandedRate = readout.bryanFactor*virtualRotation + angleLoop.command,
+    commandedRate = readout.bryanFactor*virtualRotation + angleLoop.command + sweep.rate,
     lostRate = synthesis.lostRate,
     driveOn = driveOn,
     unknownRate = cancellation.patternRate + rateNoise,
@@ -50,6 +51,7 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
     "All rotation commanded";
   ForceSynthesis synthesis(
     samplePeriod = samplePeriod,
+    parametricShare = parametricShare,
     startAngle = startAngle,
     patternAngle = detector.patternAngle,
     cosine = detector.cosine,
@@ -66,8 +68,10 @@ equation
   growthRate = synthesis.drivenGrowth;
   quadratureForce = synthesis.square;
   force = synthesis.force;
+  pump = synthesis.pump;
   acting = synthesis.acting;
   reference = phaseLoop.command;
+  commandedTurn = (1 - forceToRebalance)*(2*readout.bryanFactor*virtualRotation*driveOn) + 2*sweep.rate*driveOn;
   annotation (Documentation(info="<html>
 <p>Four sampled loops on the detected orbit, as D. D. Lynch's control of the averaged equations: the phase loop turns the
 reference frequency until phase + offset is zero; the amplitude loop sets the force on the antinode, A; the quadrature

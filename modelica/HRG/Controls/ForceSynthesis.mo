@@ -4,6 +4,7 @@ block ForceSynthesis "Loop commands, resolved from the pattern's axes into the e
   parameter Units.Angle startAngle "Pattern angle at time 0";
   parameter Units.Time loopDelay(min = 0, max = 0.1) = 0
     "Age of the angle that forces are resolved with, beyond the sample, typically up to 1e-3";
+  parameter Units.DimensionlessRatio parametricShare "Share of the force on the antinode that parametric drive gives";
   input Units.Angle patternAngle "Detected pattern angle";
   input Units.DimensionlessRatio cosine "Of the detected modal angle";
   input Units.DimensionlessRatio sine "Of the detected modal angle";
@@ -16,6 +17,7 @@ block ForceSynthesis "Loop commands, resolved from the pattern's axes into the e
   discrete output Units.RelativeForce force[4](each start = 0, each fixed = true) "Force {cos x, sin x, cos y, sin y}";
   discrete output Units.RelativeForce acting[4](each start = 0, each fixed = true) "Force that was held up to the sample";
   discrete output Units.DampingCoefficient drivenGrowth(start = 0, fixed = true) "Force on the antinode over its amplitude";
+  discrete output Units.DampingCoefficient pump(start = 0, fixed = true) "Growth by parametric drive";
   discrete output Units.RelativeForce square(start = 0, fixed = true) "Force on the node, in phase with the displacement";
   discrete output Units.DimensionlessRatio overloaded(start = 0, fixed = true) "1 while a channel is at its limit";
   discrete output Units.DimensionlessRatio wasOverloaded(start = 0, fixed = true) "The same at the last sample";
@@ -28,7 +30,7 @@ protected
   discrete Units.DimensionlessRatio lagSine(start = 0, fixed = true) "Of the lag, to fourth order";
   discrete Units.DimensionlessRatio c(start = 1, fixed = true) "Of the modal angle of the forces";
   discrete Units.DimensionlessRatio s(start = 0, fixed = true) "Of the modal angle of the forces";
-  discrete Units.RelativeForce antinode(start = 0, fixed = true) "Force on the antinode, in phase with the velocity";
+  discrete Units.RelativeForce antinode(start = 0, fixed = true) "Force on the antinode, in phase with the velocity, that electrodes give";
   discrete Units.RelativeForce node(start = 0, fixed = true) "Force on the node, in phase with the velocity";
 equation
   when sample(0, samplePeriod) then
@@ -39,8 +41,9 @@ equation
     lagSine = lag - lag*lag*lag/6;
     c = cosine*lagCosine + sine*lagSine;
     s = sine*lagCosine - cosine*lagSine;
-    antinode = driveOn*antinodeForce;
-    drivenGrowth = antinode/amplitude;
+    drivenGrowth = driveOn*antinodeForce/amplitude;
+    pump = parametricShare*drivenGrowth;
+    antinode = (1 - parametricShare)*(driveOn*antinodeForce);
     node = driveOn*2*patternRate*amplitude;
     square = driveOn*quadratureForce;
     wanted = {antinode*c - node*s, -square*s, antinode*s + node*c, square*c};
@@ -60,6 +63,7 @@ equation
 <p>{cos x, sin x, cos y, sin y}, as growths of the envelope. For an orbit without quadrature a' = A, q' = S and theta' = N/(2 a), so that
 N = 2 a times the commanded rate of the pattern. Forces are held for a control period; the loop delay turns
 their axes back by the pattern's way in it (mechanism 15). A channel is clipped at the drives' authority (mechanism 30); the rotation that this
-takes away, (N - force along the node)/(2 a), is told to the read-out. Control by antinode and node forces: D. D. Lynch.</p>
+takes away, (N - force along the node)/(2 a), is told to the read-out. Of A, parametric drive
+gives its share as a growth, A/a, of the antinode wherever it is: that share has no axes to be turned, delayed or clipped. Control by antinode and node forces: D. D. Lynch.</p>
 </html>"));
 end ForceSynthesis;

@@ -2,9 +2,11 @@ within HRG.Controls;
 partial block PartialController "What all control electronics have: detection, start-up, compensation, read-out"
   parameter Units.Time samplePeriod "Period of the output";
   parameter Units.Angle startAngle "Pattern angle at time 0";
-  parameter Integer forceToRebalance(min = 0, max = 1) = 0 "0: whole-angle mode; 1: the pattern is held at the start angle";
+  parameter Integer forceToRebalance(min = 0, max = 1) = 0 "0: whole-angle mode; 1: the pattern is held at the start angle, or where it is swept";
   parameter Units.RelativeDisplacement quadratureSetpoint(min = -0.5, max = 0.5) = 0
     "Quadrature that the loop leaves (residual), typically 1e-4 to 1e-3";
+  parameter Units.DimensionlessRatio parametricShare(min = 0, max = 1) = 0
+    "Share of the amplitude force that parametric drive gives, typically 0 or 1";
   input Units.RelativeDisplacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
   input Units.RelativeDisplacement amplitudeSetpoint "Antinode amplitude to hold";
   input Units.Angle phaseOffset "Added to the detected phase";
@@ -16,6 +18,7 @@ partial block PartialController "What all control electronics have: detection, s
   output Units.DampingCoefficient growthRate "Force of the amplitude loop over detected amplitude";
   output Units.RelativeForce quadratureForce "Force of the quadrature loop";
   output Units.AngularFrequency reference "Reference frequency less the nominal one";
+  output Units.AngularVelocity commandedTurn "Rate of the modal angle that virtual rotation and sweep command";
   PatternDetector detector(
     samplePeriod = samplePeriod,
     startAngle = startAngle,
@@ -27,8 +30,9 @@ partial block PartialController "What all control electronics have: detection, s
     amplitude = detector.amplitude,
     phase = detector.phase + phaseOffset,
     quadratureError = detector.quadrature - quadratureSetpoint,
-    rebalanceError = forceToRebalance*(detector.patternAngle - startAngle),
+    rebalanceError = forceToRebalance*(detector.patternAngle - (startAngle + sweep.position)),
     overload = overload) "Amplitude to aim at, and validity";
+  PatternSweep sweep(samplePeriod = samplePeriod) "Mode reversal, or dither of the pattern";
   BiasMap biasMap(samplePeriod = samplePeriod, cosine = detector.cosine, sine = detector.sine) "Compensation of the output";
   ScaleFactorMap scaleFactorMap(samplePeriod = samplePeriod, cosine = detector.cosine, sine = detector.sine)
     "Compensation of the detected angle";

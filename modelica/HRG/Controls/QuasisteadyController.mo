@@ -10,6 +10,7 @@ block QuasisteadyController "Control electronics whose loops follow at once"
   input Units.AngularVelocity coupling "Bryan coupling of the modes";
   input Units.RelativeDisplacement analogue[4] "Reading before noise and conversion";
   input Units.DimensionlessRatio driveGain[4] "Drives' force over command";
+  input Units.DimensionlessRatio pumpGain[3] "Growth by parametric drive over command, of x, of y and between them";
   output Real rates[4] "Derivatives of modal angle, amplitude, quadrature and phase";
   output Units.RelativeForce force[4] "Force in action {cos x, sin x, cos y, sin y}";
   QuasisteadyLoops synthesis(
@@ -23,13 +24,16 @@ block QuasisteadyController "Control electronics whose loops follow at once"
     coupling = coupling,
     analogue = analogue,
     driveGain = driveGain,
+    pumpGain = pumpGain,
+    parametricShare = parametricShare,
     authority = authority,
     driveOn = driveOn,
     amplitudeAim = startUp.aim,
     amplitudeRate = startUp.aimRate,
     quadratureAim = quadratureSetpoint,
     phaseAim = -phaseOffset,
-    modalAim = 2*startAngle,
+    modalAim = 2*(startAngle + swept),
+    sweepRate = sweep.rate,
     rebalance = forceToRebalance,
     patternRate = readout.patternRate) "Loops and forces";
   DampingCancellation cancellation(cosine = synthesis.detection[4], sine = synthesis.detection[5])
@@ -38,7 +42,7 @@ block QuasisteadyController "Control electronics whose loops follow at once"
     samplePeriod = samplePeriod,
     patternAngle = detector.patternAngle,
     commandedAngle = commanded,
-    commandedRate = readout.bryanFactor*virtualRotation,
+    commandedRate = readout.bryanFactor*virtualRotation + sweep.rate,
     lostRate = synthesis.lostRate,
     driveOn = driveOn,
     unknownRate = cancellation.patternRate + rateNoise,
@@ -47,6 +51,7 @@ block QuasisteadyController "Control electronics whose loops follow at once"
     correction = biasMap.correction) "Angle of the case";
 protected
   Units.Angle commanded(start = startAngle, fixed = true) "Pattern angle at time 0 and all rotation counted since";
+  Units.Angle swept(start = 0, fixed = true) "Position of the sweep";
   Units.AngularVelocity counted "Rotation that is counted in the force-to-rebalance mode";
 equation
   expectedAngle = modalAngle;
@@ -54,11 +59,13 @@ equation
   counted = driveOn*(synthesis.drivenRate - readout.unknownRate)*(1 - gainNoise/(1 + readout.virtualRotationError))
     /(1 + readout.virtualRotationError);
   der(commanded) = readout.countedRate + forceToRebalance*((1 + readout.clockError)*counted - readout.countedRate);
+  der(swept) = sweep.rate;
   rates = {synthesis.motion[1], synthesis.motion[2], synthesis.motion[3], synthesis.motion[4]};
   force = synthesis.force;
   growthRate = synthesis.growthRate;
   quadratureForce = synthesis.quadratureForce;
   reference = synthesis.motion[8];
+  commandedTurn = (1 - forceToRebalance)*(2*readout.bryanFactor*virtualRotation*driveOn) + 2*sweep.rate*driveOn;
   annotation (Documentation(info="<html>
 <p>The parts of <code>Controller</code> around <code>QuasisteadyLoops</code>: forces are those that hold amplitude, quadrature and phase,
 and the rotation that they command is counted continuously. In the force-to-rebalance mode the counted rotation is the one that

@@ -4,6 +4,7 @@ block QuasisteadyLoops "Loops that follow at once, and the forces they need"
   final parameter Units.Time controlPeriod = 1e-3 "Control period of the electronics, which hold their forces for it";
   parameter Units.Time loopDelay(min = 0, max = 0.1) = 0
     "Age of the angle that forces are resolved with, beyond the sample, typically up to 1e-3";
+  parameter Units.DimensionlessRatio parametricShare "Share of the force on the antinode that parametric drive gives";
   input Real freeRates[4] "Rates of the displacement without drive, {cx, sx, cy, sy}";
   input Units.RelativeDisplacement amplitude "True antinode amplitude";
   input Units.RelativeDisplacement quadrature "True quadrature";
@@ -13,6 +14,7 @@ block QuasisteadyLoops "Loops that follow at once, and the forces they need"
   input Units.AngularVelocity coupling "Bryan coupling 2 k Omega: minus the modal rate of a free pattern";
   input Units.RelativeDisplacement analogue[4] "Reading before noise and conversion";
   input Units.DimensionlessRatio driveGain[4] "Drives' force over command";
+  input Units.DimensionlessRatio pumpGain[3] "Growth by parametric drive over command, of x, of y and between them";
   input Units.RelativeForce authority "A channel clips at this force; 0: never";
   input Units.DimensionlessRatio driveOn "1 with the drive on, 0 off";
   input Units.RelativeDisplacement amplitudeAim "Detected amplitude to hold";
@@ -20,6 +22,7 @@ block QuasisteadyLoops "Loops that follow at once, and the forces they need"
   input Units.RelativeDisplacement quadratureAim "Detected quadrature to hold";
   input Units.Angle phaseAim "Detected phase to hold";
   input Units.Angle modalAim "Detected modal angle to hold in the force-to-rebalance mode";
+  input Units.AngularVelocity sweepRate "Commanded rotation of the pattern by the sweep";
   input Real rebalance "1 in the force-to-rebalance mode, 0 in the whole-angle mode";
   input Units.AngularVelocity patternRate "Commanded rotation of the pattern, in the whole-angle mode";
   output Real detection[6] "Detected orbit, as of deviation()";
@@ -36,14 +39,14 @@ protected
   Units.Angle delay "Modal angle by which delayed forces lag";
   Units.DimensionlessRatio turn[2] "Cosine and sine of the delay, to fourth order";
   Units.DimensionlessRatio aim[2] "Cosine and sine of the modal angle that forces are resolved with";
-  Units.RelativeForce antinode(start = 0, fixed = true) "Force on the antinode, as the pick-offs feel it";
+  Units.RelativeForce antinode(start = 0, fixed = true) "Force of the electrodes on the antinode, as the pick-offs feel it";
   Units.RelativeForce node(start = 0, fixed = true) "Force on the node, likewise";
   Units.RelativeForce square(start = 0, fixed = true) "Force on the node in quadrature, likewise";
   Units.DimensionlessRatio command "Command over force; 0 with the drive off";
 equation
   command = noEvent(if driveOn > 0 then 1/driveOn else 0);
   detection = deviation(analogue, axes);
-  turning = (1 - rebalance)*(2*patternRate*driveOn - coupling);
+  turning = (1 - rebalance)*(2*patternRate*driveOn - coupling) + rebalance*2*sweepRate*driveOn;
   hold = controlPeriod/2*turning;
   delay = loopDelay*turning;
   turn = {1 - delay*delay/2, delay - delay*delay*delay/6};
@@ -51,13 +54,13 @@ equation
     (turn[1] - hold*turn[2])*detection[4] + (turn[2] + hold*turn[1])*detection[5],
     (turn[1] - hold*turn[2])*detection[5] - (turn[2] + hold*turn[1])*detection[4]};
   motion = precession(
-    freeRates, amplitude, quadrature, axes, detection[1], aim, driveGain, authority, driveOn,
-    {quickness*(modalAim - modalAngle - detection[6]),
+    freeRates, amplitude, quadrature, axes, detection[1], aim, driveGain, pumpGain, parametricShare, authority, driveOn,
+    {quickness*(modalAim - modalAngle - detection[6]) + 2*sweepRate,
      quickness*(amplitudeAim - detection[1]) + amplitudeRate,
      quickness*(quadratureAim - detection[2]),
      quickness*(phaseAim - phase - detection[3])},
     patternRate*(1 - hold*hold/3), rebalance);
-  der(antinode) = (motion[5] - antinode)/samplePeriod;
+  der(antinode) = ((1 - parametricShare)*motion[5] - antinode)/samplePeriod;
   der(node) = (motion[7] - node)/samplePeriod;
   der(square) = (motion[6] - square)/samplePeriod;
   growthRate = motion[5]/detection[1];

@@ -7,6 +7,8 @@ function precession "Motion of the orbit under loops that are at rest, and the f
   input Units.RelativeDisplacement detected "Detected amplitude, which forces are scaled with";
   input Units.DimensionlessRatio aim[2] "Cosine and sine of the modal angle that forces are resolved with";
   input Units.DimensionlessRatio gain[4] "Drives' force over command, {x by x, x by y, y by x, y by y}";
+  input Units.DimensionlessRatio pumpGain[3] "Growth by parametric drive over command, of x, of y and between them";
+  input Units.DimensionlessRatio parametricShare "Share of the force on the antinode that parametric drive gives";
   input Units.RelativeForce authority "A channel clips at this force; 0: never";
   input Units.DimensionlessRatio driveOn "1 with the drive on, 0 off";
   input Real wanted[4] "Rates that loops ask for: of modal angle, amplitude, quadrature and phase";
@@ -16,7 +18,9 @@ function precession "Motion of the orbit under loops that are at rest, and the f
 protected
   Real turned[4] "Free rates less the phase";
   Real h[4] "Free rates on the true axes: {antinode real, imaginary, node real, imaginary}";
+  Real pump[4] "Share of parametric drive in a unit force on the detected antinode, as of pumpRates()";
   Real along[2] "Unit force on the detected antinode, on the true antinode and node";
+  Real lag[2] "The same a quarter of a period behind";
   Real across[2] "Unit force on the detected node, likewise";
   Real determinant "Of the loops' equations, its inverse";
   Real base[2] "Forces on antinode and, in quadrature, on the node, that hold the orbit without rotation";
@@ -32,7 +36,7 @@ protected
   Real square "Force on the node in quadrature";
   Real swing "Rate of the phase and the reference together, without a force that rotates";
   Real reaction "The same per force that rotates";
-  Real forces[3] "All three";
+  Real forces[3] "Of the electrodes, all three";
   Real motion[7] "As of boundedMotion()";
 algorithm
   turned[1] := axes[3]*free[1] - axes[4]*free[2];
@@ -43,20 +47,27 @@ algorithm
   h[2] := -axes[1]*turned[2] - axes[2]*turned[4];
   h[3] := axes[1]*turned[3] - axes[2]*turned[1];
   h[4] := -axes[1]*turned[4] + axes[2]*turned[2];
-  along[1] := axes[1]*(gain[1]*aim[1] + gain[2]*aim[2]) + axes[2]*(gain[3]*aim[1] + gain[4]*aim[2]);
-  along[2] := axes[1]*(gain[3]*aim[1] + gain[4]*aim[2]) - axes[2]*(gain[1]*aim[1] + gain[2]*aim[2]);
+  pump := if parametricShare > 0 then pumpRates(amplitude, quadrature, axes, pumpGain, parametricShare/detected) else {0, 0, 0, 0};
+  along[1] := (1 - parametricShare)*(axes[1]*(gain[1]*aim[1] + gain[2]*aim[2]) + axes[2]*(gain[3]*aim[1] + gain[4]*aim[2])) + pump[1];
+  along[2] := (1 - parametricShare)*(axes[1]*(gain[3]*aim[1] + gain[4]*aim[2]) - axes[2]*(gain[1]*aim[1] + gain[2]*aim[2])) + pump[3];
+  lag[1] := pump[2];
+  lag[2] := pump[4];
   across[1] := axes[1]*(gain[2]*aim[1] - gain[1]*aim[2]) + axes[2]*(gain[4]*aim[1] - gain[3]*aim[2]);
   across[2] := axes[1]*(gain[4]*aim[1] - gain[3]*aim[2]) - axes[2]*(gain[2]*aim[1] - gain[1]*aim[2]);
   spread := 1/(amplitude*amplitude - quadrature*quadrature);
-  determinant := 1/(axes[3]*axes[3]*along[1]*across[2] + axes[4]*axes[4]*across[1]*along[2]);
+  determinant := 1/(axes[3]*axes[3]*along[1]*across[2] + axes[4]*axes[4]*across[1]*along[2]
+    - axes[3]*axes[4]*(lag[1]*across[2] - lag[2]*across[1]));
   base[1] := (axes[3]*across[2]*(wanted[2] - h[1]) + axes[4]*across[1]*(wanted[3] + h[4]))*determinant;
-  base[2] := (axes[3]*along[1]*(wanted[3] + h[4]) - axes[4]*along[2]*(wanted[2] - h[1]))*determinant;
+  base[2] := (axes[3]*along[1]*(wanted[3] + h[4]) - axes[4]*along[2]*(wanted[2] - h[1])
+    - axes[4]*lag[1]*(wanted[3] + h[4]) - axes[3]*lag[2]*(wanted[2] - h[1]))*determinant;
   slope[1] := -across[1]*across[2]*determinant;
-  slope[2] := axes[3]*axes[4]*(along[2]*across[1] - along[1]*across[2])*determinant;
-  still[1] := h[2] - axes[4]*along[1]*base[1] - axes[3]*across[1]*base[2];
-  still[2] := h[3] + axes[3]*along[2]*base[1] - axes[4]*across[2]*base[2];
-  push[1] := -(axes[4]*across[1] + axes[4]*along[1]*slope[1] + axes[3]*across[1]*slope[2]);
-  push[2] := axes[3]*across[2] + axes[3]*along[2]*slope[1] - axes[4]*across[2]*slope[2];
+  slope[2] := (axes[3]*axes[4]*(along[2]*across[1] - along[1]*across[2])
+    + axes[4]*axes[4]*lag[1]*across[2] + axes[3]*axes[3]*lag[2]*across[1])*determinant;
+  still[1] := h[2] - axes[4]*along[1]*base[1] - axes[3]*across[1]*base[2] - axes[3]*lag[1]*base[1];
+  still[2] := h[3] + axes[3]*along[2]*base[1] - axes[4]*across[2]*base[2] - axes[4]*lag[2]*base[1];
+  push[1] := -(axes[4]*across[1] + axes[4]*along[1]*slope[1] + axes[3]*across[1]*slope[2]
+    + axes[3]*lag[1]*slope[1]);
+  push[2] := axes[3]*across[2] + axes[3]*along[2]*slope[1] - axes[4]*across[2]*slope[2] - axes[4]*lag[2]*slope[1];
   drift := (amplitude*still[2] - quadrature*still[1])*spread;
   response := (amplitude*push[2] - quadrature*push[1])*spread;
   swing := (amplitude*still[1] - quadrature*still[2])*spread;
@@ -65,17 +76,21 @@ algorithm
   node := on*(if rebalance > 0 then (wanted[1] - drift)/response else driveOn*2*patternRate*detected);
   antinode := on*(base[1] + slope[1]*node);
   square := on*(base[2] + slope[2]*node);
-  forces[1] := antinode;
+  forces[1] := (1 - parametricShare)*antinode;
   forces[2] := square;
   forces[3] := node;
   motion := if authority > 0 or driveOn <= 0
-    then boundedMotion(forces, h, amplitude, quadrature, axes, aim, gain, authority)
-    else {drift + response*node, wanted[2], wanted[3], swing + reaction*node, antinode, square, node};
+    then boundedMotion(
+      forces,
+      {h[1] + antinode*(axes[3]*pump[1] - axes[4]*pump[2]), h[2] - antinode*(axes[3]*pump[2] + axes[4]*pump[1]),
+       h[3] + antinode*(axes[3]*pump[3] - axes[4]*pump[4]), h[4] - antinode*(axes[3]*pump[4] + axes[4]*pump[3])},
+      amplitude, quadrature, axes, aim, gain, authority)
+    else {drift + response*node, wanted[2], wanted[3], swing + reaction*node, forces[1], square, node};
   result[1] := motion[1];
   result[2] := motion[2];
   result[3] := motion[3];
   result[4] := wanted[4];
-  result[5] := motion[5];
+  result[5] := motion[5] + parametricShare*antinode;
   result[6] := motion[6];
   result[7] := motion[7];
   result[8] := motion[4] - wanted[4];
@@ -83,7 +98,7 @@ algorithm
   annotation (Documentation(info="<html>
 <p>In the frame of the orbit, exp(-i phi) Z' has the antinode component a' + i (a psi + q alpha') and the node component
 (a alpha' + q psi) - i q', with psi = phi' + nu, nu the reference's frequency. The drive adds A, N and -i S along the
-detected axes, through the drives' gain. The amplitude and quadrature loops choose A and S so that a' and q' are what they want,
+detected axes, through the drives' gain, or parametric drive its share of A along the true ones. The amplitude and quadrature loops choose A and S so that a' and q' are what they want,
 the phase loop chooses nu, the force-to-rebalance loop N: linear equations, solved here exactly in all electrode errors.
 What is left is the motion of the pattern: the averaged equations of D. D. Lynch with the loops closed.</p>
 </html>"));

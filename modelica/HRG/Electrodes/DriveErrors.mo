@@ -12,15 +12,21 @@ block DriveErrors "Errors of the drives"
   parameter Units.RelativeForce authority(min = 0, max = 1e6) = 0 "A channel clips at this force, typically 0.01 to 0.2: a virtual rotation of 1 to 20 deg/s takes as much; 0: never";
   parameter Units.DimensionlessRatio gainPerVoltage(min = -2, max = 2) = 0
     "Change of both gains with the bias voltage over the nominal one, typically 1: a force is bias times command";
+  parameter Units.DimensionlessRatio pumpAnisotropy(min = -0.5, max = 0.5) = 0
+    "Of the parametric drive: it pumps more along its axis and less across it by this share, typically 1e-4 to 5e-3 (estimate)";
+  parameter Units.Angle pumpAxis(min = -1000, max = 1000) = 0 "Pattern angle at which it pumps most";
   parameter Units.DimensionlessRatio ringErrors[9] "Errors of the electrode ring, as of ringErrors";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
   input Units.DimensionlessRatio biasVoltage "Over the nominal one";
   input Real temperatureRate(unit = "K/s") "Rate of the case's temperature";
   output Units.DimensionlessRatio gain[4] "Force over command, {x by x, x by y, y by x, y by y}";
+  output Units.DimensionlessRatio pumpGain[3] "Growth by parametric drive over the command, of x, of y and between them";
 protected
   final parameter Units.DimensionlessRatio share = nonOrthogonality + ringErrors[6] "Share of fx in fy";
   final parameter Units.DimensionlessRatio scaleX = (1 + ringErrors[4])*(1 + (gainMismatch + ringErrors[5])/2) "Gain of x";
   final parameter Units.DimensionlessRatio scaleY = (1 + ringErrors[4])*(1 - (gainMismatch + ringErrors[5])/2) "Gain of y";
+  final parameter Units.DimensionlessRatio pumpCos = pumpAnisotropy*cos(4*pumpAxis) + ringErrors[8] "Anisotropy of parametric drive, diagonal";
+  final parameter Units.DimensionlessRatio pumpSin = pumpAnisotropy*sin(4*pumpAxis) + ringErrors[9] "Anisotropy of parametric drive, off diagonal";
   Units.Angle rotation "e under specific force and gradients";
   Units.DimensionlessRatio strength "Mean gain under the bias voltage";
   Units.DimensionlessRatio turn[2] "Cosine and sine of e, times the mean gain";
@@ -35,10 +41,13 @@ equation
     -scaleX*turn[2],
     scaleY*(turn[2] + share*turn[1]),
     scaleY*(turn[1] - share*turn[2])};
+  pumpGain = {strength*(1 + pumpCos), strength*(1 - pumpCos), strength*pumpSin};
   annotation (Documentation(info="<html>
 <p>Of the command {x, y}, which the electronics keep within the authority,</p>
 <pre>force = (1 + gainPerVoltage (V - 1)) [[1 + gd/2, 0], [0, 1 - gd/2]] [[1, 0], [nd, 1]] [[cos e, -sin e], [sin e, cos e]] {x, y}
 e = frameRotation + rotationPerTemperatureRate dT/dt + rotationPerAcceleration f</pre>
 <p>f the specific force, T the case's temperature, V the bias voltage over the nominal one. The electrode ring adds its gd, nd and e, and scales both gains. Mechanisms 3, 5, 6, 24, 25, 28 and 30 of the catalogue.</p>
+<p>Parametric drive modulates the bias voltage of all electrodes at twice the reference frequency, and with it their softening: a growth of {{1 + c, s}, {s, 1 - c}}
+times the command, c and s the anisotropy of the pump, to which an uneven gap adds that of its softening. Mechanism 37.</p>
 </html>"));
 end DriveErrors;

@@ -15,6 +15,7 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     biasVoltage = biasVoltage,
     vibration = vibration,
     reference = controller.reference,
+    pumping = drive.pumping,
     force = drive.force) "Vibrating shell";
   Electrodes.CarrierPickOff pickOff(
     ringErrors = ring.errors,
@@ -29,13 +30,13 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     acceleration = {accelerationX, accelerationY, accelerationZ},
     gradient = resonator.environment.gradient,
     age = resonator.environment.age,
-    turning = (1 - controller.forceToRebalance)
-      *(2*controller.readout.bryanFactor*virtualRotation*driveOn - resonator.material.coupling),
+    turning = controller.commandedTurn - (1 - controller.forceToRebalance)*resonator.material.coupling,
     biasVoltage = biasVoltage,
     noise = noise.displacement) "Pick-offs, converters and demodulation";
   Electrodes.Drive drive(
     ringErrors = ring.errors,
     command = controller.force,
+    pump = controller.pump,
     acceleration = {accelerationX, accelerationY, accelerationZ},
     biasVoltage = biasVoltage,
     temperatureRate = resonator.environment.temperatureRate,

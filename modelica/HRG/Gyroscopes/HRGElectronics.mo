@@ -13,8 +13,9 @@ model HRGElectronics "Control electronics of HRGEnvelope, for HRGPlant"
   input Units.Angle phaseOffset(start = 0, min = -1, max = 1, nominal = 1e-2) "Added to the detected phase";
   input Units.Switch driveOn(start = 1, min = 0, max = 1, nominal = 1) "1 with the drive on, 0 off: ring-down";
   output Units.RelativeForce force[4](each nominal = 1e-2) "Commanded force {cos x, sin x, cos y, sin y}, held for a control period";
+  output Units.DampingCoefficient pump(nominal = 2e-3) "Commanded growth by parametric drive, held likewise";
   output Units.AngularFrequency reference(nominal = 1) "Frequency of the reference less the nominal modal one";
-  output Units.AngularVelocity commandedRate(nominal = 0.1) "Rate of the modal angle that is commanded by virtual rotation";
+  output Units.AngularVelocity commandedRate(nominal = 0.1) "Rate of the modal angle that is commanded by virtual rotation and sweep";
   output Units.Switch isHeld(min = 0, max = 1, nominal = 1) "1: the pattern is held; 0: it is free";
   output Units.Angle gyroAngle(nominal = 1) "Measured angle about the input axis since power-on";
   output Units.AngularVelocity gyroRate(nominal = 0.1) "Measured rate over the last control period";
@@ -43,8 +44,9 @@ model HRGElectronics "Control electronics of HRGEnvelope, for HRGPlant"
     gainNoise = noise.rotation) "Control electronics";
 equation
   force = controller.force;
+  pump = controller.pump;
   reference = controller.reference;
-  commandedRate = 2*controller.readout.bryanFactor*virtualRotation*driveOn;
+  commandedRate = controller.commandedTurn;
   isHeld = controller.forceToRebalance;
   gyroAngle = controller.readout.gyroAngle;
   gyroRate = controller.readout.gyroRate;

@@ -14,6 +14,7 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
     biasVoltage = biasVoltage,
     vibration = vibration,
     reference = controller.reference,
+    pumping = drive.pumping,
     force = drive.force) "Vibrating shell";
   Electrodes.PickOff pickOff(
     ringErrors = ring.errors,
@@ -23,13 +24,13 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
     acceleration = {accelerationX, accelerationY, accelerationZ},
     gradient = resonator.environment.gradient,
     age = resonator.environment.age,
-    turning = (1 - controller.forceToRebalance)
-      *(2*controller.readout.bryanFactor*virtualRotation*driveOn - resonator.material.coupling),
+    turning = controller.commandedTurn - (1 - controller.forceToRebalance)*resonator.material.coupling,
     biasVoltage = biasVoltage,
     noise = noise.displacement) "Pick-offs and demodulation";
   Electrodes.Drive drive(
     ringErrors = ring.errors,
     command = controller.force,
+    pump = controller.pump,
     acceleration = {accelerationX, accelerationY, accelerationZ},
     biasVoltage = biasVoltage,
     temperatureRate = resonator.environment.temperatureRate,

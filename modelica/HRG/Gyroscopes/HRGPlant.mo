@@ -12,8 +12,9 @@ model HRGPlant "Resonator, pick-offs and drives of HRGEnvelope, for electronics 
   input Units.DimensionlessRatio biasVoltage(start = 1, min = 0, max = 10, nominal = 1) "Electrode bias voltage over the nominal one";
   input Units.Acceleration vibration(start = 0, min = -1e5, max = 1e5, nominal = 1) "Case vibration at the modal frequency, in phase";
   input Units.RelativeForce force[4](each start = 0, each min = -1e6, each max = 1e6, each nominal = 1e-2) "Force {cos x, sin x, cos y, sin y} that is commanded, held for a control period";
+  input Units.DampingCoefficient pump(start = 0, min = -1e6, max = 1e6, nominal = 2e-3) "Growth by parametric drive that is commanded, held likewise";
   input Units.AngularFrequency reference(start = 0, min = -1e5, max = 1e5, nominal = 1) "Frequency of the reference less the nominal modal one";
-  input Units.AngularVelocity commandedRate(start = 0, min = -100, max = 100, nominal = 0.1) "Rate of the modal angle that is commanded by virtual rotation";
+  input Units.AngularVelocity commandedRate(start = 0, min = -100, max = 100, nominal = 0.1) "Rate of the modal angle that is commanded by virtual rotation and sweep";
   input Units.Switch isHeld(start = 0, min = 0, max = 1, nominal = 1) "1: the pattern is held; 0: it is free";
   output Units.RelativeDisplacement reading[4](each nominal = 1) "Demodulated displacement {cx, sx, cy, sy}, sampled with noise";
   Electrodes.Ring ring "Electrodes around the shell";
@@ -28,6 +29,7 @@ model HRGPlant "Resonator, pick-offs and drives of HRGEnvelope, for electronics 
     biasVoltage = biasVoltage,
     vibration = vibration,
     reference = reference,
+    pumping = drive.pumping,
     force = drive.force) "Vibrating shell";
   Electrodes.PickOff pickOff(
     ringErrors = ring.errors,
@@ -37,7 +39,7 @@ model HRGPlant "Resonator, pick-offs and drives of HRGEnvelope, for electronics 
     acceleration = {accelerationX, accelerationY, accelerationZ},
     gradient = resonator.environment.gradient,
     age = resonator.environment.age,
-    turning = (1 - isHeld)*(commandedRate - resonator.material.coupling),
+    turning = commandedRate - (1 - isHeld)*resonator.material.coupling,
     biasVoltage = biasVoltage,
     noise = noise.displacement) "Pick-offs and demodulation";
   Electrodes.Drive drive(
@@ -47,6 +49,7 @@ model HRGPlant "Resonator, pick-offs and drives of HRGEnvelope, for electronics 
       Electrodes.digitised(force[2], 0, drive.authority),
       Electrodes.digitised(force[3], 0, drive.authority),
       Electrodes.digitised(force[4], 0, drive.authority)},
+    pump = pump,
     acceleration = {accelerationX, accelerationY, accelerationZ},
     biasVoltage = biasVoltage,
     temperatureRate = resonator.environment.temperatureRate,

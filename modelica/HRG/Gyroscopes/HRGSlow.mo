@@ -22,8 +22,7 @@ model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-ste
     acceleration = {accelerationX, accelerationY, accelerationZ},
     gradient = resonator.environment.gradient,
     age = resonator.environment.age,
-    turning = (1 - controller.forceToRebalance)
-      *(2*controller.readout.bryanFactor*virtualRotation*driveOn - resonator.material.coupling),
+    turning = controller.commandedTurn - (1 - controller.forceToRebalance)*resonator.material.coupling,
     biasVoltage = biasVoltage,
     noise = noise.displacement) "Pick-offs and demodulation";
   Electrodes.DriveErrors drive(
@@ -55,6 +54,7 @@ model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-ste
     coupling = resonator.material.coupling,
     analogue = pickOff.analogue,
     driveGain = drive.gain,
+    pumpGain = drive.pumpGain,
     authority = drive.authority) "Control electronics";
 equation
   gyroAngle = controller.readout.gyroAngle;

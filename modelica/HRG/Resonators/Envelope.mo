@@ -5,6 +5,7 @@ model Envelope "Slowly varying envelope of the two n = 2 modes"
   input Units.DampingCoefficient dampingX "Damping of x";
   input Units.DampingCoefficient dampingY "Damping of y";
   input Units.DampingCoefficient dampingSin "Damping between x and y";
+  input Units.DampingCoefficient pumping[3] "Growth by parametric drive of x, of y and between them, in phase with the reference";
   input Units.AngularFrequency shift "Mean frequency above the nominal one";
   input Units.AngularFrequency splitCos "Stiffness anisotropy, diagonal";
   input Units.AngularFrequency splitSin "Stiffness anisotropy, off diagonal";
@@ -18,9 +19,12 @@ model Envelope "Slowly varying envelope of the two n = 2 modes"
     each fixed = true) "In-phase and quadrature displacement {cx, sx, cy, sy}";
 equation
   der(displacement) = envelopeRates(
-    displacement, dampingX, dampingY, dampingSin, reference - shift, splitCos, splitSin, coupling, duffing, cubic) + force;
+    displacement, {dampingX - pumping[1], dampingY - pumping[2], dampingSin - pumping[3]},
+    {dampingX + pumping[1], dampingY + pumping[2], dampingSin + pumping[3]},
+    reference - shift, splitCos, splitSin, coupling, duffing, cubic) + force;
   annotation (Documentation(info="<html>
-<p>Z' = (free envelope) + U, U the force as a growth of the envelope, U = -(i/2w) F. Without the Duffing term it is
+<p>Z' = (free envelope) + U + R Z*, U the force as a growth of the envelope, U = -(i/2w) F, and R = <code>pumping</code> the growth by a stiffness
+that is modulated at twice the reference frequency: what is in phase with the reference grows by it, what is in quadrature decays. Without the Duffing term it is
 linear, so that a step of a control period loses nothing.</p>
 </html>"));
 end Envelope;

@@ -6,7 +6,8 @@ model OrbitResonator "Vibrating shell, its motion in the elements of the orbit"
   Orbit orbit(startAngle = startAngle, startAmplitude = startAmplitude, rates = rates) "Motion";
 equation
   freeRates = envelopeRates(
-    orbit.displacement, material.dampingX, material.dampingY, material.dampingSin, -material.shift,
+    orbit.displacement, {material.dampingX, material.dampingY, material.dampingSin},
+    {material.dampingX, material.dampingY, material.dampingSin}, -material.shift,
     material.splitCos, material.splitSin, material.coupling, material.duffing, material.cubic) + shake;
   annotation (Documentation(info="<html>
 <p>Material and environment give the coefficients, <code>envelopeRates</code> the rates of the free displacement; what becomes of the

@@ -1,9 +1,8 @@
 within HRG.Resonators;
 function envelopeRates "Rates of the free envelope in a frame that rotates with the reference"
   input Units.RelativeDisplacement displacement[4] "{cx, sx, cy, sy}";
-  input Units.DampingCoefficient dampingX "Damping of x";
-  input Units.DampingCoefficient dampingY "Damping of y";
-  input Units.DampingCoefficient dampingSin "Damping between x and y";
+  input Units.DampingCoefficient inPhase[3] "Damping of x, of y and between them, of what is in phase with the reference";
+  input Units.DampingCoefficient inQuadrature[3] "The same, of what is in quadrature with it";
   input Units.AngularFrequency detuning "Of the frame above the mean modal frequency";
   input Units.AngularFrequency splitCos "Stiffness anisotropy, diagonal";
   input Units.AngularFrequency splitSin "Stiffness anisotropy, off diagonal";
@@ -33,10 +32,10 @@ algorithm
   turn := coupling + 2/3*duffing*(cx*sy - cy*sx);
   detuningX := detuning + splitCos - (swing - cubic*squareX);
   detuningY := detuning - splitCos - (swing - cubic*squareY);
-  rates[1] := -dampingX*cx - dampingSin*cy - detuningX*sx - splitSin*sy + turn*cy;
-  rates[2] := -dampingX*sx - dampingSin*sy + detuningX*cx + splitSin*cy + turn*sy;
-  rates[3] := -dampingY*cy - dampingSin*cx - detuningY*sy - splitSin*sx - turn*cx;
-  rates[4] := -dampingY*sy - dampingSin*sx + detuningY*cy + splitSin*cx - turn*sx;
+  rates[1] := -inPhase[1]*cx - inPhase[3]*cy - detuningX*sx - splitSin*sy + turn*cy;
+  rates[2] := -inQuadrature[1]*sx - inQuadrature[3]*sy + detuningX*cx + splitSin*cy + turn*sy;
+  rates[3] := -inPhase[2]*cy - inPhase[3]*cx - detuningY*sy - splitSin*sx - turn*cx;
+  rates[4] := -inQuadrature[2]*sy - inQuadrature[3]*sx + detuningY*cy + splitSin*cx - turn*sx;
   annotation (Documentation(info="<html>
 <p>With x = cx cos P + sx sin P, y alike, P the phase of the rotating frame, X = cx - i sx, Z = [X; Y]:</p>
 <pre>Z' = -i nu Z - Z/tau - (D/2) [[ct, st], [st, -ct]] Z - (i dw/2) [[cw, sw], [sw, -cw]] Z + 2 k Omega [[0, 1], [-1, 0]] Z</pre>

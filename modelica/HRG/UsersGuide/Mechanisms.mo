@@ -43,6 +43,7 @@ those of Conventions. Each line is demonstrated by models of <code>HRG.Validatio
 <tr><td>34</td><td>electrodes read in turn</td><td><code>pickOff.samplingSkew</code></td><td>angle +W (ts/2)(1 + c4); a virtual rotation R as W = -R</td></tr>
 <tr><td>35</td><td>harmonics of the rim's mass</td><td><code>resonator.massDefects.first</code>, <code>second</code>, <code>third</code>, their axes; <code>lateralLoss</code>, <code>axialLoss</code>; <code>vibrationForce</code> with input <code>vibration</code></td><td>as 1 with D = (3/4) lateralLoss m1 m3 about (th_1 + 3 th_3)/4 and (1/4) axialLoss m2^2 about th_2; G + (9/16) lateralLoss m1^2; as 27</td></tr>
 <tr><td>36</td><td>rectified vibration</td><td><code>pickOff.vibrationVariance</code> with <code>gainPerAccelerationSquared</code></td><td>as 2 with g = g_2 S df</td></tr>
+<tr><td>37</td><td>anisotropy of parametric drive</td><td><code>drive.pumpAnisotropy</code>, <code>pumpAxis</code>; and from 32, n = -(3/2) E about its axis</td><td>with <code>parametricShare</code> = 1: B = (n/2k tau) sin 4(th - th_n), G -(n/tau) cos 4(th - th_n)</td></tr>
 </table>
 <p>The same gyro in its modes:</p>
 <table border=\"1\">
@@ -50,6 +51,9 @@ those of Conventions. Each line is demonstrated by models of <code>HRG.Validatio
 <tr><td>whole-angle</td><td>default</td></tr>
 <tr><td>force-to-rebalance</td><td><code>controller.forceToRebalance = 1</code>: the pattern is held at the start angle</td></tr>
 <tr><td>virtual rotation</td><td>input <code>virtualRotation</code>, an input rate: constant, reversing or swept as it is driven</td></tr>
+<tr><td>mode reversal</td><td><code>controller.sweep.angle</code> = 45 degrees with rests (<code>controller.sweep.restTime</code>), in the force-to-rebalance mode: antinode and node change places, a fourth harmonic of the bias its sign. What the sweeps leave: (2/pi) of it, in their share of the time</td></tr>
+<tr><td>dither of the pattern</td><td><code>controller.sweep.angle</code> = 90 degrees without rests, in either mode: every multiple of the fourth harmonic averages out. A gain error e of the rotation shows as -e times the position over k, and comes and goes</td></tr>
+<tr><td>parametric drive</td><td><code>controller.parametricShare</code> = 1: the amplitude is held by a stiffness that is pumped at twice the frequency. What the force that sustains it made of 2 to 6 and 15 is gone (share s: 1 - s of it); 37 comes</td></tr>
 <tr><td>ring-down</td><td>input <code>driveOn = 0</code>: amplitude, quadrature and rotation forces off, phase tracking on</td></tr>
 <tr><td>start-up</td><td><code>startAmplitude</code>, <code>controller.startUp.*</code>: a small vibration within 1 s, full amplitude at 10 s, output <code>valid</code></td></tr>
 <tr><td>compensation of the output (the paper's Eq. 5)</td><td><code>controller.biasMap.*</code></td></tr>

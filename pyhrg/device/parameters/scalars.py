@@ -55,6 +55,22 @@ class ScalarParameters(ShellParameters):
         known=ToleranceDeclaration("nominal_phase_loop", "nominal", 20.0, relative_tolerance=0.02),
     )
     """Natural frequency of the phase loop, rad/s."""
+    parametric_share: float = parameter(
+        key="parametric_share", limits=(0, 1), fmu="controller.parametricShare"
+    )
+    """Share of the amplitude force that parametric drive gives."""
+    sweep_angle: float = parameter(
+        key="sweep_angle_deg", unit=DEG, limits=(-400, 400), fmu="controller.sweep.angle"
+    )
+    """Pattern angle by which the electronics turn the pattern to and fro, rad; 0: none."""
+    sweep_time: float = parameter(
+        10.0, key="sweep_time_s", limits=(0.1, 1e6), fmu="controller.sweep.sweepTime"
+    )
+    """Time of a sweep, one way, s."""
+    sweep_rest: float = parameter(
+        key="sweep_rest_s", limits=(0, 1e6), fmu="controller.sweep.restTime"
+    )
+    """Time at rest between sweeps, s."""
     control_period: float = parameter(1e-3, key="control_period_s", limits=(1e-3, 1e-3))
     """Period of the control electronics [Ts], s; the FMU knows this one alone."""
     loop_delay: float = parameter(

@@ -242,6 +242,14 @@ class ShellParameters:
         effect=EffectDeclaration("drive_frame_rotation", 1e-3, ("time",), 7),
     )
     """Force frame turned against the pick-offs' on the modal axes [e], rad."""
+    pump_anisotropy: float = parameter(
+        key="pump_anisotropy", limits=(-0.5, 0.5), fmu="drive.pumpAnisotropy"
+    )
+    """Parametric drive gives 1 + n along its axis, 1 - n across it [n]."""
+    pump_axis: float = parameter(
+        key="pump_axis_deg", unit=DEG, limits=(-360, 360), fmu="drive.pumpAxis"
+    )
+    """Pattern angle at which parametric drive gives most, rad."""
     bias_per_temperature_rate: float = parameter(
         key="bias_deg_h_per_K_min",
         unit=DEG_PER_H * MINUTE,

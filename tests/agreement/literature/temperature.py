@@ -1,5 +1,7 @@
 """Bias over temperature: mode reversal, and compensation from the gyro's own channels."""
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from pyhrg.common.arrays import Array
@@ -17,6 +19,10 @@ COEFFICIENTS = {
 }
 """The middle of what the parameters' descriptions call typical."""
 REBALANCE = {"controller.forceToRebalance": 1.0}
+SWEEP = 20.0
+"""Time in which the electronics turn the pattern by a whole period of the map, s."""
+DITHER = {"controller.sweep.angle": 90 * DEG, "controller.sweep.sweepTime": SWEEP}
+PUMP = {"controller.parametricShare": 1.0}
 SOAKS = np.array([-40.0, -20.0, 0.0, 20.0, 40.0, 60.0]) + ZERO_CELSIUS
 ANGLE = 10 * DEG
 """Power-on angle of the typical gyro."""
@@ -35,26 +41,29 @@ def figures() -> dict[str, float]:
 
 
 def _reverse_modes() -> dict[str, float]:
-    """Largest less smallest bias over soaks of -40 to 60 degC at one angle, averaged with the angle
-    where antinode and node have changed places, and with the two halfway."""
+    """Largest less smallest bias over soaks of -40 to 60 degC: at one angle, averaged with the
+    angle where antinode and node have changed places, and swept over all angles, without and
+    with parametric drive."""
     gyro = {**TYPICAL.without_noise().fmu_parameters(), **COEFFICIENTS, **REBALANCE}
     gyro["resonator.environment.thermalLag"] = 1.0
-    bias = np.array(
-        [
+
+    def simulate_bias(parameters: Mapping[str, float], angle: float) -> Array:
+        return np.array(
             [
                 simulate_output_rate(
-                    gyro, ANGLE + turn * DEG, 0.0, 20.0, 20.0, "HRGSlow", caseTemperature=soak
+                    parameters, angle, 0.0, 2 * SWEEP, 2 * SWEEP, "HRGSlow", caseTemperature=soak
                 )
                 for soak in SOAKS
             ]
-            for turn in (0.0, 45.0, 22.5, 67.5)
-        ]
-    )
-    single, reversed_, turned = (float(np.ptp(np.mean(bias[:n], axis=0))) for n in (1, 2, 4))
+        )
+
+    here, there = simulate_bias(gyro, ANGLE), simulate_bias(gyro, ANGLE + 45 * DEG)
+    single = float(np.ptp(here))
     return {
         "single_deg_h": single / DEG_PER_H,
-        "reversed_ratio": single / reversed_,
-        "turned_ratio": single / turned,
+        "reversed_ratio": single / float(np.ptp((here + there) / 2)),
+        "swept_ratio": single / float(np.ptp(simulate_bias({**gyro, **DITHER}, ANGLE))),
+        "pumped_ratio": single / float(np.ptp(simulate_bias({**gyro, **DITHER, **PUMP}, ANGLE))),
     }
 
 

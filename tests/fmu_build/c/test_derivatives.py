@@ -26,10 +26,12 @@ PARAMETERS = {
     "pickOff.vibrationVariance[3]": 1e-3,
     "pickOff.samplingSkew": 9e-4,
     "biasVoltage": 0.9,
+    "controller.sweep.restTime": 1e-3,
 }
 """`bryanFactorPerKelvin` and `samplingSkew` are near their limits, since what they add is small
 beside what it is added to; a vibration that changes gains by more than themselves makes rounding
-larger than `MOVE` allows for; at a bias voltage of 1 what follows it vanishes."""
+larger than `MOVE` allows for; at a bias voltage of 1 what follows it vanishes; a longer rest
+keeps the sweep from moving anything at once."""
 
 MOVE = 1e-4
 """Relative. The difference errs by its square times the curvature over the slope, and by rounding

@@ -61,6 +61,17 @@ def test_second_harmonic_is_that_of_the_demodulation_offset() -> None:
     assert sizes.pick_off[2] == pytest.approx(1e-4 / np.sqrt(2))
 
 
+def test_parametric_drive_takes_what_forces_misaim() -> None:
+    """Of pick-offs the scale factor's map stays; of the pump its anisotropy comes."""
+    pumped = replace(TYPICAL, parametric_share=1.0, pump_anisotropy=1e-3, damping_anisotropy=0.0)
+    bare = replace(pumped, pickoff_gain_mismatch=0.0, pickoff_nonorthogonality=0.0)
+    sizes = size_maps(pumped, own_axes=False, calibrated=False)
+    expected = abs(theory.static_bias_phasor(bare)) / np.sqrt(2)
+    assert sizes.rest_bias == pytest.approx(expected) == sizes.bias[4]
+    assert sizes.pick_off == size_maps(TYPICAL, own_axes=False, calibrated=False).pick_off
+    assert sizes.mean == sizes.scale_factor == 0.0
+
+
 def test_turn_on_scatter_counts() -> None:
     steady = replace(TABLE2, turn_on_scatter={})
     with_it, without = (size_maps(each, False, True) for each in (TABLE2, steady))

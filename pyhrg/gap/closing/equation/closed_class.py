@@ -82,8 +82,8 @@ SAMPLED = {
 """Meaning and equation, every 10 ms, of variables with a memory; they are steady at power-on."""
 RATE = "    angularRate = angularRate"
 RATE_WITH_BIAS = """    angularRate = angularRate + addedRate,
-    pickOff(turning = (1 - gyro.controller.forceToRebalance)
-      *2*gyro.controller.readout.bryanFactor*(virtualRotation*driveOn - angularRate))"""
+    pickOff(turning = gyro.controller.commandedTurn
+      - (1 - gyro.controller.forceToRebalance)*2*gyro.controller.readout.bryanFactor*angularRate)"""
 """Input rate of the inner gyro with a bias, which may follow the angle that the pick-offs read: how
 these are skewed by a turning pattern then follows the rate of the case alone."""
 TEXT = """model {name} "{title}"

@@ -133,15 +133,6 @@ class KnownParameters:
         values = change @ covariance @ whole.projection[where]
         return np.asarray(values), np.asarray(change @ covariance @ change.T)
 
-    def measure_forms(self, sizes: Sizes) -> dict[Form, float]:
-        """Chi-square of what each form makes beside groups of these sizes, apart from the terms."""
-        norms, columns = self._apart.norms, self._apart.columns
-        return {
-            group: float(((size * norms[columns[group]]) ** 2).sum())
-            for group, size in self._estimate_all(sizes).items()
-            if isinstance(group, Form)
-        }
-
     def _estimate_all(self, sizes: Sizes) -> dict[Effect | Form, Array]:
         whole, projection = self._apart, self._apart.projection[self._known]
         for group, size in sizes.items():
@@ -207,7 +198,9 @@ class KnownParameters:
         effects = [g for g in self.whole.groups if isinstance(g, Effect)]
         own = self._list_columns(g for g in effects if g not in self.tolerances)
         cross = gram[np.ix_(cause, own)]
-        inside = (cross * (np.linalg.pinv(gram[np.ix_(cause, cause)], PINV_SHARE, True) @ cross)).sum(0)
+        inside = (
+            cross * (np.linalg.pinv(gram[np.ix_(cause, cause)], PINV_SHARE, True) @ cross)
+        ).sum(0)
         shared = set(own[1 - inside < MIN_SHARE])
         return self._list_columns(g for g in effects if shared & set(self.whole.columns[g]))
 

@@ -4,6 +4,7 @@ A form is a multiple of its term's harmonic, or a Chebyshev polynomial of its te
 is written in powers of this function (docs/methods/equation.md, Eq. 1a).
 """
 
+import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -14,7 +15,11 @@ from numpy.polynomial import chebyshev
 from pyhrg.common.arrays import Array
 from pyhrg.gap.closing.equation.forms import express_term
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
+from pyhrg.gap.effects.catalogue import Effect
+from pyhrg.gap.effects.design import select_groups
 from pyhrg.gap.effects.form import Form
+from pyhrg.gap.effects.known_parameters import KnownParameters
+from pyhrg.gap.evidence.evidence import fit
 from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2
 from pyhrg.gap.evidence.hypothesis import Hypothesis
 
@@ -36,47 +41,38 @@ def estimate_terms(hypothesis: Hypothesis) -> dict[CandidateTerm, Series]:
     best = hypothesis.ranking.best
     return {
         group: {group: Estimate(size, np.sqrt(np.diag(covariance)))}
-        for group, size, covariance in zip(
-            best.groups, best.values, best.covariances, strict=True
-        )
+        for group, size, covariance in zip(best.groups, best.values, best.covariances, strict=True)
         if isinstance(group, CandidateTerm)
     }
 
 
 def estimate_causes(hypothesis: Hypothesis) -> dict[CandidateTerm, Series]:
-    """Each term of the most probable set, with the forms beside it that change the records by a
-    chi-square of at least `NEGLIGIBLE_CHI2`. Forms that several terms have belong to the first."""
-    series = estimate_terms(hypothesis)
-    for family in dict.fromkeys(term.family for term in hypothesis.forms.terms):
-        leaders = [term for term in hypothesis.forms.terms if term.family == family]
-        series |= _estimate_cause(hypothesis, leaders)
+    """Each term of the most probable set, with the forms beside it that the records show. A form
+    that several terms have belongs to the first."""
+    series, terms = estimate_terms(hypothesis), hypothesis.forms.terms
+    for family in dict.fromkeys(term.family for term in terms):
+        series |= _estimate_cause(hypothesis, [term for term in terms if term.family == family])
     return series
 
 
 def _estimate_cause(
     hypothesis: Hypothesis, leaders: Sequence[CandidateTerm]
 ) -> dict[CandidateTerm, Series]:
-    best, known = hypothesis.ranking.best, hypothesis.known
-    forms = [
-        form
-        for form, chi2 in known.measure_forms(best.sizes).items()
-        if chi2 >= NEGLIGIBLE_CHI2 and form.family == leaders[0].family and list(expand_form(form))
-    ]
+    known, forms = _select_forms(hypothesis, leaders)
     if not forms:
         return {}
-    values, covariance = known.estimate_jointly(best.groups, [*leaders, *forms])
+    groups = [*leaders, *forms]
+    values, covariance = known.estimate_jointly(hypothesis.ranking.best.groups, groups)
     rows: dict[CandidateTerm, Array] = {}
     owners = {leader: leader for leader in leaders}
-    start = 0
-    for group in (*leaders, *forms):
-        count = len(known.whole.columns[group])
-        own = np.eye(len(values))[start : start + count]
-        start += count
-        leader = group.term if isinstance(group, Form) and group.term in leaders else leaders[0]
+    units = iter(np.eye(len(values)))
+    for group in groups:
+        own = np.array([next(units) for _ in known.whole.columns[group]])
         parts = expand_form(group) if isinstance(group, Form) else ((group, 1.0),)
         for term, factor in parts:
             rows[term] = rows.get(term, 0.0) + factor * own
-            owners.setdefault(term, leader)
+            is_own = isinstance(group, Form) and group.term in leaders
+            owners.setdefault(term, group.term if is_own else leaders[0])
     estimates = {
         term: Estimate(row @ values, np.sqrt(np.diag(row @ covariance @ row.T)))
         for term, row in rows.items()
@@ -85,6 +81,39 @@ def _estimate_cause(
         leader: {term: e for term, e in estimates.items() if owners[term] == leader}
         for leader in leaders
     }
+
+
+def _select_forms(
+    hypothesis: Hypothesis, leaders: Sequence[CandidateTerm]
+) -> tuple[KnownParameters, list[Form]]:
+    """Forms of a cause that can be written, added one by one while the most probable set grows more
+    probable with the best of them; and what is known with these alone."""
+    known, best = hypothesis.known, hypothesis.ranking.best.groups
+    own = {g: s for g, s in known.tolerances.items() if isinstance(g, Effect)}
+    own = {g: s for g, s in own.items() if g in known.effects and g not in best}
+    forms = [form for form in hypothesis.forms.sigmas if form in known.whole.groups]
+    free = [f for f in forms if f.family == leaders[0].family and any(expand_form(f))]
+    groups = [*dict.fromkeys((*own, *best, *leaders, *free))]
+    whole = select_groups(known.whole, groups)
+
+    def restrict(chosen: Sequence[Form]) -> KnownParameters:
+        sigmas = {form: hypothesis.forms.sigmas[form] for form in chosen}
+        return KnownParameters(whole, {**own, **sigmas}, tuple(leaders))
+
+    def score(chosen: Sequence[Form]) -> float:
+        marginal = restrict(chosen).marginal
+        fitted = fit(marginal, best)
+        return marginal.log_likelihood + fitted.log_evidence if fitted else -math.inf
+
+    chosen, reached = list[Form](), score(())
+    while free:
+        rivals = {form: score([*chosen, form]) for form in free}
+        form = max(free, key=lambda f: rivals[f])
+        if rivals[form] - reached <= NEGLIGIBLE_CHI2 / 2:
+            break
+        free.remove(form)
+        chosen, reached = [*chosen, form], rivals[form]
+    return restrict(chosen), chosen
 
 
 def expand_form(form: Form) -> Iterator[tuple[CandidateTerm, float]]:

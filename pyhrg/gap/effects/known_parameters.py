@@ -109,7 +109,8 @@ class KnownParameters:
     def complete(self, sizes: Sizes) -> dict[Group, Array]:
         """Groups of these sizes, and all that is known within a tolerance beside them. What the
         terms explain of the forms is taken out of the terms' sizes."""
-        apart, all_sizes = self._apart, {**sizes, **self._estimate_all(sizes)}
+        apart, all_sizes = self._apart, dict(sizes)
+        all_sizes.update(self._estimate_all(sizes).items())
         unit = np.zeros(len(apart.norms))
         for group, size in all_sizes.items():
             own = apart.columns[group]

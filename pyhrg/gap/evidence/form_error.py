@@ -12,7 +12,7 @@ from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, Family
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import build_design, measure_power
-from pyhrg.gap.effects.form import find_forms
+from pyhrg.gap.effects.form import Form, find_forms
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.known_parameters import KnownParameters
 from pyhrg.gap.effects.linear_test import Group, LinearTest
@@ -67,8 +67,10 @@ def _fit_single_cause(first: Hypothesis, parts: Sequence[LinearTest]) -> Fit:
     whole = first.discount(build_design(parts, first.channel_noise, forms=tuple(forms)))
 
     def score(fitted: Fit, error: FormError) -> float:
-        own = {g: s for g, s in first.known.tolerances.items() if isinstance(g, Effect)}
-        marginal = KnownParameters(whole, {**own, **error.sigmas}, error.terms).marginal
+        known = {g: s for g, s in first.known.tolerances.items() if isinstance(g, Effect)}
+        tolerances: dict[Effect | Form, float] = {**known}
+        tolerances.update(error.sigmas)
+        marginal = KnownParameters(whole, tolerances, error.terms).marginal
         alone = fit(marginal, fitted.groups)
         return marginal.log_likelihood + alone.log_evidence if alone else -math.inf
 

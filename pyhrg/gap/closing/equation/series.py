@@ -68,11 +68,11 @@ def _estimate_cause(
     units = iter(np.eye(len(values)))
     for group in groups:
         own = np.array([next(units) for _ in known.whole.columns[group]])
+        origin = group.term if isinstance(group, Form) else group
         parts = expand_form(group) if isinstance(group, Form) else ((group, 1.0),)
         for term, factor in parts:
             rows[term] = rows.get(term, 0.0) + factor * own
-            is_own = isinstance(group, Form) and group.term in leaders
-            owners.setdefault(term, group.term if is_own else leaders[0])
+            owners.setdefault(term, origin if origin in leaders else leaders[0])
     estimates = {
         term: Estimate(row @ values, np.sqrt(np.diag(row @ covariance @ row.T)))
         for term, row in rows.items()
@@ -89,16 +89,16 @@ def _select_forms(
     """Forms of a cause that can be written, added one by one while the most probable set grows more
     probable with the best of them; and what is known with these alone."""
     known, best = hypothesis.known, hypothesis.ranking.best.groups
-    own = {g: s for g, s in known.tolerances.items() if isinstance(g, Effect)}
-    own = {g: s for g, s in own.items() if g in known.effects and g not in best}
+    own = {effect: known.tolerances[effect] for effect in known.effects if effect not in best}
     forms = [form for form in hypothesis.forms.sigmas if form in known.whole.groups]
     free = [f for f in forms if f.family == leaders[0].family and any(expand_form(f))]
     groups = [*dict.fromkeys((*own, *best, *leaders, *free))]
     whole = select_groups(known.whole, groups)
 
     def restrict(chosen: Sequence[Form]) -> KnownParameters:
-        sigmas = {form: hypothesis.forms.sigmas[form] for form in chosen}
-        return KnownParameters(whole, {**own, **sigmas}, tuple(leaders))
+        tolerances: dict[Effect | Form, float] = {**own}
+        tolerances.update({form: hypothesis.forms.sigmas[form] for form in chosen})
+        return KnownParameters(whole, tolerances, tuple(leaders))
 
     def score(chosen: Sequence[Form]) -> float:
         marginal = restrict(chosen).marginal
@@ -128,7 +128,7 @@ def expand_form(form: Form) -> Iterator[tuple[CandidateTerm, float]]:
             words = function if power == 1 else f"power {power} of {function}"
             term = replace(form.term, function=place + colon + words)
             yield term, float(powers[power]) / form.largest**power
-    elif form.harmonic:
+    elif form.harmonic and not form.is_product:
         multiple = form.degree * form.harmonic
         words = re.sub(r"harmonic \d+", f"harmonic {multiple}", form.function)
         yield CandidateTerm(form.channel, form.coordinate, words, multiple), 1 / form.largest

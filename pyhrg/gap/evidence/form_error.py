@@ -67,9 +67,9 @@ def _fit_single_cause(first: Hypothesis, parts: Sequence[LinearTest]) -> Fit:
     whole = first.discount(build_design(parts, first.channel_noise, forms=tuple(forms)))
 
     def score(fitted: Fit, error: FormError) -> float:
-        known = {g: s for g, s in first.known.tolerances.items() if isinstance(g, Effect)}
-        tolerances: dict[Effect | Form, float] = {**known}
-        tolerances.update(error.sigmas)
+        known = first.known.tolerances.items()
+        tolerances: dict[Effect | Form, float] = {g: s for g, s in known if isinstance(g, Effect)}
+        tolerances.update(error.sigmas.items())
         marginal = KnownParameters(whole, tolerances, error.terms).marginal
         alone = fit(marginal, fitted.groups)
         return marginal.log_likelihood + alone.log_evidence if alone else -math.inf

@@ -20,7 +20,6 @@ from pyhrg.gap.effects.design import select_groups
 from pyhrg.gap.effects.form import Form
 from pyhrg.gap.effects.known_parameters import KnownParameters
 from pyhrg.gap.evidence.evidence import fit
-from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2
 from pyhrg.gap.evidence.hypothesis import Hypothesis
 
 
@@ -87,7 +86,8 @@ def _select_forms(
     hypothesis: Hypothesis, leaders: Sequence[CandidateTerm]
 ) -> tuple[KnownParameters, list[Form]]:
     """Forms of a cause that can be written, added one by one while the most probable set grows more
-    probable with the best of them; and what is known with these alone."""
+    probable with the best of them, each with odds of one over their number; and what is known with
+    these alone."""
     known, best = hypothesis.known, hypothesis.ranking.best.groups
     own = {effect: known.tolerances[effect] for effect in known.effects if effect not in best}
     forms = [form for form in hypothesis.forms.sigmas if form in known.whole.groups]
@@ -96,8 +96,8 @@ def _select_forms(
     whole = select_groups(known.whole, groups)
 
     def restrict(chosen: Sequence[Form]) -> KnownParameters:
-        tolerances: dict[Effect | Form, float] = {**own}
-        tolerances.update({form: hypothesis.forms.sigmas[form] for form in chosen})
+        tolerances: dict[Effect | Form, float] = dict(own.items())
+        tolerances.update((form, hypothesis.forms.sigmas[form]) for form in chosen)
         return KnownParameters(whole, tolerances, tuple(leaders))
 
     def score(chosen: Sequence[Form]) -> float:
@@ -106,10 +106,11 @@ def _select_forms(
         return marginal.log_likelihood + fitted.log_evidence if fitted else -math.inf
 
     chosen, reached = list[Form](), score(())
+    log_odds = -math.log(len(free)) if free else 0.0
     while free:
         rivals = {form: score([*chosen, form]) for form in free}
         form = max(free, key=lambda f: rivals[f])
-        if rivals[form] - reached <= NEGLIGIBLE_CHI2 / 2:
+        if rivals[form] + log_odds <= reached:
             break
         free.remove(form)
         chosen, reached = [*chosen, form], rivals[form]

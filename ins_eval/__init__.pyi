@@ -1,8 +1,10 @@
+from .aided.aid import aid
+from .aided.report import AidedDrive
 from .flights.align_record import align
 from .flights.align_report import AlignedRecord
 from .flights.fly import fly, fly_log
 from .flights.report import Flight
-from .flights.sources import read_record
+from .flights.sources import read_record, write_record
 from .imu.specification import list_imus, load_imu
 from .navigation.strapdown import navigate
 from .parking.parking import ParkingComparison, compare_parking
@@ -16,11 +18,13 @@ from .system.system import write_system
 from .trajectories.catalogue import list_trajectories, load_trajectory
 
 __all__ = [
+    "AidedDrive",
     "AlignedRecord",
     "Flight",
     "ParkingComparison",
     "PositionGap",
     "StudyResult",
+    "aid",
     "align",
     "compare_parking",
     "compute_position_gap",
@@ -38,5 +42,6 @@ __all__ = [
     "run_study",
     "score_challenge",
     "validate",
+    "write_record",
     "write_system",
 ]

@@ -16,6 +16,7 @@ from ins_eval.alignment.result import Alignment
 from ins_eval.common.state import position_error
 from ins_eval.error_model.budget_figure import plot_budget
 from ins_eval.error_model.error_budget import COLUMNS as SIGMA_COLUMNS
+from ins_eval.error_model.error_budget import separate_keys
 from ins_eval.flights.linear import COLUMNS, Budget
 from ins_eval.flights.plan import Plan
 from ins_eval.results import flights
@@ -42,7 +43,8 @@ class Flight:
     none if the runs start from the truth; dataset: navigated states by run and time; where a truth
     is known, true states and errors; the linear model's one-sigma; for simulated IMUs, the
     navigator's own error; sigma_budget: of a log, the final one-sigma by effect and axis
-    (`compute_sigma_budget`); imu_digest: SHA-256 of the IMU's parameters or of the log.
+    (`compute_sigma_budget`); imu_digest: SHA-256 of the IMU's parameters or of the log;
+    remark: what a user should know of the trajectory.
     """
 
     plan: Plan
@@ -54,6 +56,7 @@ class Flight:
     budget: Budget | None = None
     sigma_budget: pd.DataFrame | None = None
     imu_digest: str = ""
+    remark: str = ""
 
     __repr__ = describe_briefly
 
@@ -73,7 +76,8 @@ class Flight:
         head = f"at the end, after {float(last['time']) / 3600:.4g} h"
         lines = [f"{head:<{LABEL}}" + "".join(f"{name:>{NUMBER}}" for name in COMPONENTS)]
         lines += [_line(label, row) for label, row in _end_rows(self, last)]
-        return "\n".join([self.title, "", *_alignment_lines(self), *lines, *_budget_lines(self)])
+        title = f"{self.title}\n{self.remark}" if self.remark else self.title
+        return "\n".join([title, "", *_alignment_lines(self), *lines, *_budget_lines(self)])
 
     @property
     def budget_table(self) -> pd.DataFrame:
@@ -250,9 +254,15 @@ def _budget_lines(flight: Flight) -> list[str]:
     }
     which = "" if flight.plan.runs == 1 else " of run 1"
     lines = ["", f"budget{which}, m"]
-    lines += [_line(effect, [*sums[effect], math.hypot(*sums[effect])]) for effect in sums]
+    lines += [_cause_line(effect, [*row, math.hypot(*row)]) for effect, row in sums.items()]
     total = [sum(parts) for parts in zip(*sums.values(), strict=True)]
     return [*lines, _line("sum: the linear model's error", [*total, math.hypot(*total)])]
+
+
+def _cause_line(effect: str, row: list[float]) -> str:
+    """A line whose keys, if the effect names any, stand behind the numbers."""
+    name, keys = separate_keys(effect)
+    return f"{_line(name, row)}   {keys}".rstrip()
 
 
 def _line(label: str, row: list[float]) -> str:

@@ -76,6 +76,11 @@ class CandidateTerm:
         return self.channel, self.function.rpartition(": ")[0], self.coordinate
 
     @property
+    def is_product(self) -> bool:
+        """Whether it is a function of its coordinate times one of another."""
+        return ", " in self.function
+
+    @property
     def is_curved(self) -> bool:
         """Whether the response is linear only where it is small. That to an encoder's error is: the
         pattern is where the gyro reads it."""

@@ -165,6 +165,23 @@ def _assemble(columns: Mapping[Group, NDArray[np.int64]], blocks: Sequence[Block
     return Design(gram, projection * unit, power, columns, norms, tuple(blocks))
 
 
+def select_groups(design: Design, groups: Sequence[Group]) -> Design:
+    """The equations of some groups alone."""
+    where = np.concatenate([design.columns[group] for group in groups])
+    ends = np.cumsum([len(design.columns[group]) for group in groups]).tolist()
+    columns = {
+        group: np.arange(end - len(design.columns[group]), end)
+        for group, end in zip(groups, ends, strict=True)
+    }
+    return replace(
+        design,
+        gram=design.gram[np.ix_(where, where)],
+        projection=design.projection[where],
+        norms=design.norms[where],
+        columns=columns,
+    )
+
+
 def discount_model_error(design: Design, model_error: Mapping[TestChannel, float]) -> Design:
     """Equations with a chi-square per test and channel counted as noise (Eq. 9).
 

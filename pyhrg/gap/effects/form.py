@@ -90,7 +90,8 @@ def find_forms(
     blocks: dict[CandidateTerm, list[Array]] = {}
     for where in tests:
         for term, block, _ in generate_terms(where, first.channel):
-            if term.family == first.family and not term.is_of_each_power_on:
+            is_function = term in sizes or not term.is_product
+            if term.family == first.family and is_function and not term.is_of_each_power_on:
                 blocks.setdefault(term, []).append(block)
     shapes = zip(*([b @ size for b in blocks[term]] for term, size in sizes.items()), strict=True)
     magnitude = max(float(np.abs(sum(own)).max()) for own in shapes)
@@ -114,6 +115,6 @@ def find_forms(
 
 def _list_degrees(term: CandidateTerm, stands_for_it: bool) -> Iterable[int]:
     """Degrees beside 1 of the forms from one term of the cause's family."""
-    if term.harmonic is None:
-        return DEGREES
-    return MULTIPLES if term.harmonic and stands_for_it else ()
+    if not stands_for_it:
+        return ()
+    return DEGREES if term.harmonic is None else MULTIPLES if term.harmonic else ()

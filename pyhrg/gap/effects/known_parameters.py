@@ -20,6 +20,11 @@ from pyhrg.gap.effects.design import Design, Sizes
 from pyhrg.gap.effects.form import Form
 from pyhrg.gap.effects.linear_test import Group
 
+MIN_SHARE = 1e-3
+"""An effect is part of a cause when the cause's terms and forms leave less than this share of its
+power. Chosen."""
+PINV_SHARE = 1e-6
+"""Share of the largest eigenvalue below which a direction of terms and forms counts as none."""
 SMALLEST_SHARE = 1e-10
 """Share of a column that counts as nothing left. Chosen: rounding of the normal equations."""
 
@@ -55,15 +60,23 @@ class KnownParameters:
         whole, forms = self.whole, self._of_forms
         if not forms.size:
             return whole
+        change = self._change
+        scale = change[forms, forms]
+        norms = whole.norms.copy()
+        norms[forms] = np.divide(norms[forms], scale, out=np.zeros_like(scale), where=scale > 0)
+        gram = change.T @ whole.gram @ change
+        return replace(whole, gram=gram, projection=change.T @ whole.projection, norms=norms)
+
+    @cached_property
+    def _change(self) -> Array:
+        """(p, p) the columns of `_apart` in those of `whole`."""
+        whole, forms = self.whole, self._of_forms
         change = np.eye(len(whole.projection))
         change[np.ix_(self._of_terms, forms)] = -self._shares
         left = np.einsum("if,ij,jf->f", change[:, forms], whole.gram, change[:, forms])
         left = np.where(left > SMALLEST_SHARE, left, 0.0)
         change[:, forms] *= np.divide(1.0, np.sqrt(left), out=np.zeros_like(left), where=left > 0)
-        norms = whole.norms.copy()
-        norms[forms] *= np.sqrt(left)
-        gram = change.T @ whole.gram @ change
-        return replace(whole, gram=gram, projection=change.T @ whole.projection, norms=norms)
+        return change
 
     @cached_property
     def marginal(self) -> Design:
@@ -77,13 +90,14 @@ class KnownParameters:
         places = np.full(len(whole.projection), -1)
         places[others] = np.arange(len(others))
         scale = 1 / np.sqrt(self._left_by_forms)
+        is_seen = ~np.isin(others, self._find_shared_effects())
         gram = whole.gram[np.ix_(others, others)] - cross.T @ gain
         return replace(
             whole,
             gram=gram * np.outer(scale, scale),
             projection=(whole.projection[others] - cross.T @ own) * scale,
             power=whole.power - float(whole.projection[known] @ own),
-            norms=whole.norms[others] / scale,
+            norms=whole.norms[others] / scale * is_seen,
             columns={g: places[c] for g, c in whole.columns.items() if g not in self.tolerances},
             log_volume=self._log_volume,
         )
@@ -95,18 +109,30 @@ class KnownParameters:
     def complete(self, sizes: Sizes) -> dict[Group, Array]:
         """Groups of these sizes, and all that is known within a tolerance beside them. What the
         terms explain of the forms is taken out of the terms' sizes."""
-        all_sizes = dict(sizes)
+        apart, all_sizes = self._apart, dict(sizes)
         all_sizes.update(self._estimate_all(sizes).items())
-        norms, unit = self.whole.norms, np.zeros(len(self.whole.norms))
-        for form in (group for group in self._groups if isinstance(group, Form)):
-            own = self.whole.columns[form]
-            unit[own] = all_sizes[form] * norms[own]
-        shift = np.zeros(len(norms))
-        shift[self._of_terms] = self._shares @ unit[self._of_forms]
-        for term in self.terms:
-            own = self.whole.columns[term]
-            all_sizes[term] = all_sizes.get(term, np.zeros(len(own))) - shift[own] / norms[own]
-        return all_sizes
+        unit = np.zeros(len(apart.norms))
+        for group, size in all_sizes.items():
+            own = apart.columns[group]
+            unit[own] = size * apart.norms[own]
+        unit, norms = self._change @ unit, self.whole.norms
+        columns = {group: apart.columns[group] for group in (*all_sizes, *self.terms)}
+        return {group: unit[own] / norms[own] for group, own in columns.items()}
+
+    def estimate_jointly(
+        self, fitted: Sequence[Group], groups: Sequence[Group]
+    ) -> tuple[Array, Array]:
+        """(n,) sizes of some groups and forms as `complete` has them, and their (n, n) covariance,
+        beside a fitted set."""
+        whole, known = self._apart, self._known
+        where = np.concatenate([known, *(whole.columns[group] for group in fitted)])
+        information = whole.gram[np.ix_(where, where)].copy()
+        information[: len(known), : len(known)] += np.diag(1 / self._prior_variance)
+        covariance = np.linalg.inv(information)
+        own = self._list_columns(groups)
+        change = self._change[np.ix_(own, where)] / self.whole.norms[own][:, None]
+        values = change @ covariance @ whole.projection[where]
+        return np.asarray(values), np.asarray(change @ covariance @ change.T)
 
     def _estimate_all(self, sizes: Sizes) -> dict[Effect | Form, Array]:
         whole, projection = self._apart, self._apart.projection[self._known]
@@ -162,6 +188,22 @@ class KnownParameters:
         gram = self._apart.gram[np.ix_(self._known[own], self._known[own])]
         gain = np.linalg.solve(gram + np.diag(1 / self._prior_variance[own]), cross)
         return np.asarray(np.maximum(1 - (cross * gain).sum(axis=0), SMALLEST_SHARE))
+
+    def _find_shared_effects(self) -> NDArray[np.int64]:
+        """Columns of effects of which a cause's terms and its forms, if they may have any size,
+        leave next to nothing: these are part of the same function."""
+        if not self.terms:
+            return np.empty(0, np.int64)
+        gram, cause = self.whole.gram, np.concatenate([self._of_terms, self._of_forms])
+        cause = cause[self.whole.norms[cause] > 0]
+        effects = [g for g in self.whole.groups if isinstance(g, Effect)]
+        own = self._list_columns(g for g in effects if g not in self.tolerances)
+        cross = gram[np.ix_(cause, own)]
+        inside = (
+            cross * (np.linalg.pinv(gram[np.ix_(cause, cause)], PINV_SHARE, True) @ cross)
+        ).sum(0)
+        shared = set(own[1 - inside < MIN_SHARE])
+        return self._list_columns(g for g in effects if shared & set(self.whole.columns[g]))
 
     @cached_property
     def _shares(self) -> Array:

@@ -4,22 +4,29 @@ Under each noise, sets are ranked again beside the forms that the terms of the m
 have in truth (docs/methods/evidence.md, Eq. 10a).
 """
 
+import math
 from collections.abc import Sequence
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, Family
-from pyhrg.gap.effects.design import measure_power
-from pyhrg.gap.effects.form import find_forms
+from pyhrg.gap.effects.catalogue import Effect
+from pyhrg.gap.effects.design import build_design, measure_power
+from pyhrg.gap.effects.form import Form, find_forms
 from pyhrg.gap.effects.jump import Jump
-from pyhrg.gap.effects.linear_test import LinearTest
+from pyhrg.gap.effects.known_parameters import KnownParameters
+from pyhrg.gap.effects.linear_test import Group, LinearTest
+from pyhrg.gap.evidence.evidence import Fit, fit
 from pyhrg.gap.evidence.hypothesis import NO_ERROR, FormError, Hypothesis, rank_under_noise
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
+from pyhrg.gap.evidence.search import list_prior_log_odds
 
 FORM_ERROR = 0.03
 """Standard deviation of each form's size, over the magnitude of the cause. Chosen."""
 MAX_ROUNDS = 6
 """Rankings after which the most probable hypothesis is kept. Chosen."""
+MAX_LEADERS = 6
+"""Number of single terms whose forms are tried. Chosen."""
 NEGLIGIBLE_CHI2 = 1.0
 """Error, as chi-square, that counts as zero: the power of a row's noise. Chosen."""
 
@@ -30,31 +37,89 @@ def rank_with_forms(
     parts: Sequence[LinearTest],
     start: Hypothesis | None = None,
 ) -> Hypothesis:
-    """Rank sets under a noise beside the forms of the causes for which the terms of the most
-    probable set stand, until these terms stay. Forms of one more cause are allowed at a time, the
-    strongest first: what one term misses may look like many others. Where sets come back, the most
-    probable hypothesis is kept of those that have all terms whose forms they have. The search may
-    start from a hypothesis."""
-    ranked: dict[tuple[CandidateTerm, ...], Hypothesis] = {}
+    """Rank sets under a noise beside the forms of the causes for which terms stand. The search may
+    start from a hypothesis. Without one, and where the most probable set has terms, it also starts
+    from the single term that explains most beside its own forms: a swarm of effects and terms may
+    explain about as much as one cause."""
     forms, known = (start.forms, start.ranking.best.groups) if start else (NO_ERROR, ())
+    first = rank_under_noise(noise, nominal, parts, start=known, forms=forms)
+    rivals = [_settle_forms(first, first.ranking.best, nominal, parts)]
+    if not start and any(map(_is_term, first.ranking.best.groups)):
+        rivals.append(_settle_forms(first, _fit_single_cause(first, parts), nominal, parts))
+    return max(rivals, key=lambda h: h.log_posterior)
+
+
+def _is_term(group: Group) -> bool:
+    return (
+        isinstance(group, CandidateTerm)
+        and not isinstance(group, Jump)
+        and not group.is_of_each_power_on
+    )
+
+
+def _fit_single_cause(first: Hypothesis, parts: Sequence[LinearTest]) -> Fit:
+    """The single term that explains most beside its own forms, of those that do so alone."""
+    design = first.design
+    fits = (fit(design, [group]) for group in design.groups if _is_term(group))
+    seen = sorted((f for f in fits if f), key=lambda f: -f.explained)[:MAX_LEADERS]
+    errors = [_allow_forms(f, first, parts) for f in seen]
+    forms = {group: None for error in errors for group in error.groups}
+    whole = first.discount(build_design(parts, first.channel_noise, forms=tuple(forms)))
+
+    def score(fitted: Fit, error: FormError) -> float:
+        known = first.known.tolerances.items()
+        tolerances: dict[Effect | Form, float] = {g: s for g, s in known if isinstance(g, Effect)}
+        tolerances.update(error.sigmas.items())
+        marginal = KnownParameters(whole, tolerances, error.terms).marginal
+        alone = fit(marginal, fitted.groups)
+        return marginal.log_likelihood + alone.log_evidence if alone else -math.inf
+
+    return max(zip(seen, errors, strict=True), key=lambda pair: score(*pair))[0]
+
+
+def _settle_forms(
+    first: Hypothesis, best: Fit, nominal: Device, parts: Sequence[LinearTest]
+) -> Hypothesis:
+    """Rank sets again beside the forms of the causes for which the terms of a set stand, then of
+    the most probable set without the terms that forms make needless, until these terms stay. Forms
+    of one more cause are allowed at a time, the strongest first: what one term misses may look like
+    many others. Where sets come back, the most probable hypothesis is kept."""
+    ranked, hypothesis = {first.forms.terms: first}, first
     for _ in range(MAX_ROUNDS):
-        hypothesis = rank_under_noise(noise, nominal, parts, start=known, forms=forms)
-        ranked[forms.terms] = hypothesis
-        known, before = hypothesis.ranking.best.groups, forms.terms
-        forms = _allow_forms(hypothesis, parts)
-        if forms.terms == before:
+        forms = _allow_forms(best, hypothesis, parts)
+        if forms.terms == hypothesis.forms.terms:
             return hypothesis
         if forms.terms in ranked:
             break
+        hypothesis = rank_under_noise(first.noise, nominal, parts, start=best.groups, forms=forms)
+        ranked[forms.terms], best = hypothesis, _drop_needless(hypothesis)
     whole = [h for h in ranked.values() if set(h.forms.terms) <= set(h.ranking.best.groups)]
     return max(whole, key=lambda h: h.log_posterior, default=hypothesis)
 
 
-def _allow_forms(hypothesis: Hypothesis, parts: Sequence[LinearTest]) -> FormError:
-    """Forms of the causes for which large terms stand: of those that had them before, and of the
-    strongest other one."""
+def _drop_needless(hypothesis: Hypothesis) -> Fit:
+    """The most probable set without those terms that are less probable beside the forms than
+    without, the worst first; one term stays."""
+    design, best = hypothesis.design, hypothesis.ranking.best
+    prior = dict(zip(design.groups, list_prior_log_odds(design.groups), strict=True))
+
+    def score(fitted: Fit) -> float:
+        return fitted.log_evidence + sum(prior[group] for group in fitted.groups)
+
+    while True:
+        terms = [group for group in hypothesis.forms.terms if group in best.groups]
+        rivals = [fit(design, [g for g in best.groups if g != term]) for term in terms]
+        fewer = max((f for f in rivals if f), key=score, default=best)
+        if len(terms) < 2 or score(fewer) <= score(best):
+            return best
+        best = fewer
+
+
+def _allow_forms(best: Fit, hypothesis: Hypothesis, parts: Sequence[LinearTest]) -> FormError:
+    """Forms of the causes for which large terms of a set stand: of those that the hypothesis has,
+    and of the strongest other one."""
     by_family: dict[Family, dict[CandidateTerm, Array]] = {}
-    for term, size in list_large_terms(hypothesis).items():
+    for term, size in _list_large(best, hypothesis).items():
         by_family.setdefault(term.family, {})[term] = size
     powers = {
         family: measure_power(hypothesis.exact.whole, sizes) for family, sizes in by_family.items()
@@ -74,11 +139,14 @@ def _allow_forms(hypothesis: Hypothesis, parts: Sequence[LinearTest]) -> FormErr
 
 def list_large_terms(hypothesis: Hypothesis) -> dict[CandidateTerm, Array]:
     """Size of each term of the most probable set whose form error is not negligible."""
+    return _list_large(hypothesis.ranking.best, hypothesis)
+
+
+def _list_large(best: Fit, hypothesis: Hypothesis) -> dict[CandidateTerm, Array]:
     design = hypothesis.exact.whole
     return {
         term: size
-        for term, size in hypothesis.ranking.best.sizes.items()
-        if isinstance(term, CandidateTerm) and not isinstance(term, Jump)
-        if not term.is_of_each_power_on
+        for term, size in best.sizes.items()
+        if isinstance(term, CandidateTerm) and _is_term(term)
         if FORM_ERROR**2 * measure_power(design, {term: size}) > NEGLIGIBLE_CHI2
     }

@@ -114,6 +114,11 @@ class Hypothesis:
             if np.linalg.norm(size) > SIGNIFICANT_SIGMA * sigma_along(size, covariance)
         }
 
+    def discount(self, design: Design) -> Design:
+        """Equations with the model error of this hypothesis' own."""
+        errors = {(b.test, b.channel): b.model_error for b in self.known.whole.blocks}
+        return discount_model_error(design, errors)
+
     @property
     def log_posterior(self) -> float:
         """Log posterior probability of the noise, up to a constant, summed over sets (Eq. (8))."""
@@ -200,7 +205,7 @@ def rank_under_noise(
         rough = KnownParameters(discount_model_error(exact, error), tolerances)
         return Hypothesis(noise, channel_noise, rough, rank_sets(rough.marginal), known)
     is_feasible = make_feasibility_check(nominal, parts[0].sensitivities)
-    ranking = rank_sets(known.marginal, is_feasible, start)
+    ranking = rank_sets(known.marginal, is_feasible, start, forms.terms)
     hypothesis = Hypothesis(noise, channel_noise, known, ranking, known, forms)
     removed = distinct_by_groups(hypothesis.sizes, hypothesis.effect_sizes)
     residuals = [
@@ -211,7 +216,7 @@ def rank_under_noise(
         ordered = sorted(jumps, key=lambda jump: jump.words)
         exact = build_design(parts, channel_noise, ordered, forms.groups)
         known = KnownParameters(discount_model_error(exact, model_error), tolerances, forms.terms)
-        ranking = rank_sets(known.marginal, is_feasible, ranking.best.groups)
+        ranking = rank_sets(known.marginal, is_feasible, ranking.best.groups, forms.terms)
         hypothesis = Hypothesis(noise, channel_noise, known, ranking, known, forms)
     return hypothesis
 

@@ -76,12 +76,13 @@ def rank_sets(
     design: Design,
     is_feasible: Callable[[Fit], bool] = lambda fit: True,
     start: Collection[Group] = (),
+    required: Collection[Group] = (),
 ) -> Ranking:
     """Rank sets of all groups that the tests of a campaign can see at all, of those whose fits a
     gyro can have. A set that explained a similar design, and its effects alone, may be given to
-    start from."""
+    start from. Required groups are in every set, unless they are collinear."""
     groups = design.groups
-    prior = _list_prior_log_odds(groups)
+    prior = list_prior_log_odds(groups)
     fits: dict[Key, tuple[Fit, float]] = {}
     refused: set[Key] = set()
 
@@ -96,7 +97,10 @@ def rank_sets(
 
     named = [i for i, group in enumerate(groups) if isinstance(group, Effect)]
     known = frozenset(i for i, group in enumerate(groups) if group in start)
-    for key in {frozenset[int](), known, known.intersection(named)}:
+    base = frozenset(i for i, group in enumerate(groups) if group in required)
+    evaluate(base)
+    base = base if base in fits else frozenset()
+    for key in {base, base | known, base | known.intersection(named)}:
         evaluate(key)
     for allowed in (named, range(len(groups))):
         extensions = Extensions(design, groups, prior, allowed)
@@ -104,7 +108,7 @@ def rank_sets(
         while due := _select_next(fits, extended):
             extended.update(due)
             for key in due:
-                for index in key:
+                for index in key - base:
                     evaluate(key - {index})
                 if len(key) < MAX_GROUPS:
                     for index in extensions.list_best(key, MAX_EXTENSIONS):
@@ -120,7 +124,7 @@ def _select_next(fits: Mapping[Key, tuple[Fit, float]], extended: Collection[Key
     return [k for k in order if k not in extended and (is_first or fits[k][1] > threshold)]
 
 
-def _list_prior_log_odds(groups: Sequence[Group]) -> list[float]:
+def list_prior_log_odds(groups: Sequence[Group]) -> list[float]:
     """Prior log odds that each group takes part (Eq. (6))."""
     effects = sum(isinstance(g, Effect) for g in groups)
     terms = sum(not isinstance(g, Effect | Jump) for g in groups)

@@ -29,6 +29,7 @@ class Term:
     """An equation for a part of the gap that has no name.
 
     channel, function: of the candidate term.
+    beside: other functions of the same coordinate that the cause has beside this one.
     parameters: value of each coefficient; its name ends with its unit.
     interval_95: 95 % interval of each parameter, in the same unit.
     probability: posterior probability of this form.
@@ -50,6 +51,7 @@ class Term:
     function: str
     rivals: Mapping[str, float] = field(default_factory=dict)
     shrink_percent: float | None = None
+    beside: tuple[str, ...] = ()
 
 
 def parse_term(table: TomlTable) -> Term:
@@ -68,4 +70,5 @@ def parse_term(table: TomlTable) -> Term:
         table.text("function", None),
         parse_numbers(table.table("rivals")),
         table.optional_number("shrink_percent"),
+        table.texts("beside") if "beside" in table.values else (),
     )

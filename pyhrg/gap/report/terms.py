@@ -7,7 +7,12 @@ from typing import NamedTuple
 
 from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.common.pages.svg import format_interval, format_number
-from pyhrg.gap.closing.equation.proposal import Coefficient, as_candidate, list_coefficients
+from pyhrg.gap.closing.equation.proposal import (
+    Coefficient,
+    as_candidate,
+    list_coefficients,
+    list_written,
+)
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.findings.term import Term
 from pyhrg.gap.report.words import (
@@ -177,7 +182,10 @@ def describe_term(term: Term) -> str:
         f"{c.basis.text}: {_format_value(term, c)} {format_term_unit(c.unit)}".strip()
         for c in list_coefficients(as_candidate(term))
     ]
-    return f"{name_term(term)}, without a name; {join_words(values)}"
+    sentence = f"{name_term(term)}, without a name; {join_words(values)}"
+    if not term.beside:
+        return sentence
+    return f"{sentence}; {len(term.beside)} more functions of the coordinate stand in closed.mo"
 
 
 def name_term(term: Term) -> str:
@@ -207,8 +215,7 @@ def describe_class(term: Term) -> str:
 
 def _build_term(term: Term) -> str:
     rows = [
-        (c.variable, _format_value(term, c), format_term_unit(c.unit))
-        for c in list_coefficients(as_candidate(term))
+        (c.variable, _format_value(term, c), format_term_unit(c.unit)) for c in list_written(term)
     ]
     shrink = (
         "on the held-out tests its channel has no excess over the noise floor"

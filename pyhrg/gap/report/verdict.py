@@ -46,6 +46,10 @@ REMEDIES = {
 """What to do about a fault of bench or record."""
 USE_DEVICE = "after.toml and closed.fmu are this gyro: use them from now on."
 USE_TERMS = "closed.fmu is this gyro with its equation, closed.mo its text: use them from now on."
+NOT_CLOSER = (
+    "On the held-out tests the identified gyro is further from the records than the nominal one. "
+    "Do not use closed.fmu: what was found does not hold there."
+)
 WIDTH, INDENT = 100, 14
 """Width of a line for the terminal, and of the column of the questions."""
 
@@ -174,7 +178,9 @@ def _say_what_next(diagnosis: Diagnosis) -> list[str]:
             sentences.append(f"No test of a gyro tells {name} from {others}: look at the bench.")
     sentences += [REMEDIES[c.effect] for c in diagnosis.causes if c.effect in REMEDIES]
     if any(c.effect not in REMEDIES for c in diagnosis.causes) or diagnosis.terms:
-        sentences.append(USE_TERMS if diagnosis.terms else USE_DEVICE)
+        is_further = (diagnosis.gap.shrink_percent or 0.0) < 0
+        use = USE_TERMS if diagnosis.terms else USE_DEVICE
+        sentences.append(NOT_CLOSER if is_further else use)
     return sentences or [NOTHING_NEXT[diagnosis.verdict]]
 
 

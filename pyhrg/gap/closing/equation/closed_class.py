@@ -9,7 +9,7 @@ from typing import Any
 
 from pyhrg.device.device import Device
 from pyhrg.gap.closing.equation.places import Acting, find_acting
-from pyhrg.gap.closing.equation.proposal import as_candidate, list_coefficients
+from pyhrg.gap.closing.equation.proposal import as_candidate, list_written
 from pyhrg.gap.effects.candidate_terms import HYSTERESIS_WIDTHS, THERMAL_LAGS
 from pyhrg.gap.findings.term import Term
 
@@ -171,7 +171,7 @@ def _acting(term: Term) -> Acting:
 
 def _list_uses(terms: Sequence[Term], added: Sequence[str]) -> list[str]:
     """Names of all coordinates' variables that the terms need, in the order of the equations."""
-    coefficients = [c for t in terms for c in list_coefficients(as_candidate(t))]
+    coefficients = [c for t in terms for c in list_written(t)]
     used = {name for c in coefficients for name in c.basis.uses}
     if "warming" in used:
         used |= {"caseWarmth", "slowWarmth"}
@@ -186,7 +186,7 @@ def _list_uses(terms: Sequence[Term], added: Sequence[str]) -> list[str]:
 def _declare_parameters(term: Term) -> str:
     """Parameters of a term, SI, with their meaning and value in the unit of the diagnosis."""
     lines = []
-    for c in list_coefficients(as_candidate(term)):
+    for c in list_written(term):
         value = term.parameters[c.name]
         si = value * c.factor
         meaning = f"Coefficient of {c.basis.text}: {c.name} = {value:.6g}"

@@ -10,7 +10,7 @@ from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.fmu.gyro import Gyro
 from pyhrg.gap.closing.equation.closed_class import CLASS, write_class
-from pyhrg.gap.closing.equation.proposal import as_candidate, list_coefficients
+from pyhrg.gap.closing.equation.proposal import list_written
 from pyhrg.gap.findings.term import Term
 
 MODEL_FILE, FMU_FILE = f"{CLASS}.mo", f"{CLASS}.fmu"
@@ -27,7 +27,7 @@ class ClosedFmu(GyroFmu):
         self._sizes = {
             c.variable: term.parameters[c.name] * c.factor
             for term in terms
-            for c in list_coefficients(as_candidate(term))
+            for c in list_written(term)
         }
 
     @property

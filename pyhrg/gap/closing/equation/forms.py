@@ -160,7 +160,21 @@ def _product(match: Match) -> tuple[Basis, ...]:
     return (Basis(stem, expression, expression, _TENTH**2, "m2_s4", uses),)
 
 
+def _raise(basis: Basis, power: int) -> Basis:
+    """A power of a basis function."""
+    product = "*".join([basis.modelica] * power)  # of powers, the C generator takes squares alone
+    per = re.sub(r"([A-Za-z]+)(\d*)", lambda m: f"{m[1]}{int(m[2] or 1) * power}", basis.per)
+    stem, text = f"{basis.stem}_power{power}", f"({basis.text})^{power}"
+    return Basis(stem, text, product, basis.scale**power, per, basis.uses)
+
+
+def _raise_function(match: Match) -> tuple[Basis, ...]:
+    term = CandidateTerm("", "", match[2])
+    return tuple(_raise(basis, int(match[1])) for basis in express_term(term))
+
+
 _FORMS: tuple[tuple[str, Callable[[Match], tuple[Basis, ...]]], ...] = (
+    (r"power (\d) of (.*)", _raise_function),
     ("mean over the pattern angle", lambda m: (Basis("mean", "1", "1", 1.0, "", ()),)),
     (r"harmonic (\d+) of the pattern angle", lambda m: _angle(PATTERN, int(m[1]))),
     (r"harmonic (\d+) of the table angle", lambda m: _angle(TABLE, int(m[1]))),

@@ -1,14 +1,15 @@
 """Which candidate terms are proposed as an equation, with sizes, intervals and probabilities."""
 
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.special import softmax
 
 from pyhrg.gap.closing.equation.forms import COORDINATE_OF, Basis, express_term
 from pyhrg.gap.closing.equation.places import Acting, find_acting
+from pyhrg.gap.closing.equation.series import Series, estimate_causes
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.design import list_forms
 from pyhrg.gap.evidence.evidence import Fit, find_equivalents
@@ -55,30 +56,41 @@ def as_candidate(term: Term) -> CandidateTerm:
     return CandidateTerm(term.channel, term.coordinates[0], term.function)
 
 
+def list_written(term: Term) -> tuple[Coefficient, ...]:
+    """Coefficients of a proposed term, those of its function first."""
+    first = as_candidate(term)
+    functions = [first, *(replace(first, function=words) for words in term.beside)]
+    return tuple(c for function in functions for c in list_coefficients(function))
+
+
 def propose_terms(posterior: Posterior) -> tuple[Term, ...]:
-    """Terms of the most probable set that are proposed, the most probable first; jumps, values for
-    each power-on and noise are none."""
-    best = posterior.best.ranking.best
-    written = [g for g in best.groups if isinstance(g, CandidateTerm) and list_coefficients(g)]
-    terms = make_terms(posterior, written)
+    """Terms of the most probable set that are proposed, the most probable first, with the forms
+    that the records show beside them; jumps, values for each power-on and noise are none."""
+    terms = make_terms(posterior, estimate_causes(posterior.best))
     sure = [t for t in terms if 1 - t.discovery_probability <= MAX_FALSE_DISCOVERY_RATE]
     return tuple(sorted(sure, key=lambda term: -term.discovery_probability))
 
 
-def make_terms(posterior: Posterior, groups: Sequence[CandidateTerm]) -> list[Term]:
-    """Candidate terms of the most probable set as proposed terms, whatever their probability."""
+def make_terms(posterior: Posterior, causes: Mapping[CandidateTerm, Series]) -> list[Term]:
+    """Terms of the most probable set that can be written as proposed terms, whatever their
+    probability."""
     best = posterior.best.ranking.best
-    return [_make_term(posterior, best, group) for group in groups]
+    return [
+        _make_term(posterior, best, group, series)
+        for group, series in causes.items()
+        if list_coefficients(group)
+    ]
 
 
-def _make_term(posterior: Posterior, best: Fit, term: CandidateTerm) -> Term:
+def _make_term(posterior: Posterior, best: Fit, term: CandidateTerm, series: Series) -> Term:
     rivals = _rank_rivals(posterior, best, term)
     discovery = _probability(posterior, term, *rivals)
-    acting, coefficients = find_acting(term), list_coefficients(term)
-    index = best.groups.index(term)
+    acting = find_acting(term)
+    coefficients = [c for function in series for c in list_coefficients(function)]
     factors = np.array([c.basis.scale / c.factor for c in coefficients])
-    values = best.values[index] * factors
-    half = NORMAL_95 * np.sqrt(np.diag(best.covariances[index])) * np.abs(factors)
+    values = np.concatenate([e.size for e in series.values()]) * factors
+    sigmas = np.concatenate([e.sigma for e in series.values()]) * np.abs(factors)
+    half = NORMAL_95 * sigmas
     names = [c.name for c in coefficients]
     ends = zip((values - half).tolist(), (values + half).tolist(), strict=True)
     variables = (name for c in coefficients for name in c.basis.uses)
@@ -96,6 +108,7 @@ def _make_term(posterior: Posterior, best: Fit, term: CandidateTerm) -> Term:
         term.channel,
         term.function,
         {rival.words: discovery * share for rival, share in rivals.items()},
+        beside=tuple(other.function for other in series if other != term),
     )
 
 

@@ -14,6 +14,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu
 from pyhrg.gap.closing.equation.proposal import list_coefficients, make_terms
+from pyhrg.gap.closing.equation.series import estimate_terms
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import NoiseEffect
 from pyhrg.gap.effects.form import build_reading_columns
@@ -50,7 +51,8 @@ def refine_terms(
             break
         sizes, parts = _list_curved(attribution.posterior), list(first)
         if sizes:
-            terms = make_terms(attribution.posterior, list(sizes))
+            alone = estimate_terms(attribution.posterior.best)
+            terms = make_terms(attribution.posterior, {term: alone[term] for term in sizes})
             fmu = load_closed_fmu(attribution.device, terms)
         for i in find_moved_tests(first, sizes, attribution.channel_noise):
             part = first[i]

@@ -8,6 +8,7 @@ from pyhrg.gap.effects.design import Design
 from pyhrg.gap.evidence.evidence import Fit, fit
 from pyhrg.gap.evidence.extension import Extensions
 from pyhrg.gap.evidence.search import Ranking, rank_sets
+from tests.pyhrg.gap.made_up import design_of
 
 ROWS = 4000
 
@@ -37,6 +38,16 @@ def test_two_effects_are_found_behind_one_term() -> None:
         (),
     )
     assert set(rank_sets(design).best.groups) == set(effects[:4])
+
+
+def test_required_groups_are_in_every_set() -> None:
+    one, other = DETERMINISTIC[:2]
+    columns = np.random.default_rng(1).standard_normal((100, 2))
+    design = design_of({one: columns[:, :1], other: columns[:, 1:]}, 10 * columns[:, 0])
+    assert rank_sets(design).best.groups == (one,)
+    ranking = rank_sets(design, required=[other])
+    assert all(other in fitted.groups for fitted in ranking.fits)
+    assert set(ranking.best.groups) == {one, other}
 
 
 def test_groups_come_in_the_order_of_their_sets() -> None:

@@ -12,8 +12,10 @@ from pyhrg.gap.closing.equation.proposal import (
     make_terms,
     propose_terms,
 )
+from pyhrg.gap.closing.equation.series import estimate_terms
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.jump import make_bias_jump, make_step
+from pyhrg.gap.evidence.hypothesis import NO_ERROR
 from pyhrg.gap.evidence.posterior import Posterior
 from pyhrg.gap.evidence.search import rank_sets
 from tests.pyhrg.gap.made_up import design_of
@@ -28,7 +30,7 @@ def posterior_of(nearness: float, size: float = 1.0) -> Posterior:
     first, other, noise = np.random.default_rng(1).normal(size=(3, 400))
     columns = {CUBED: first[:, None], WARM: (first + nearness * other)[:, None]}
     design = design_of(columns, size * first + noise)
-    hypothesis = SimpleNamespace(ranking=rank_sets(design), design=design)
+    hypothesis = SimpleNamespace(ranking=rank_sets(design), design=design, forms=NO_ERROR)
     made = SimpleNamespace(best=hypothesis, hypotheses=(hypothesis,), probabilities=(1.0,))
     return cast(Posterior, made)
 
@@ -46,7 +48,7 @@ def test_of_forms_that_cannot_be_told_apart_one_is_written_and_all_are_listed() 
 def test_what_may_be_noise_is_not_proposed() -> None:
     """The most probable set has a term, but it is false with a probability above 5 %."""
     posterior = posterior_of(1.0, size=0.24)
-    (term,) = make_terms(posterior, [CUBED])
+    (term,) = make_terms(posterior, estimate_terms(posterior.best))
     assert 0.5 < term.discovery_probability < 0.95
     assert propose_terms(posterior) == ()
 

@@ -46,7 +46,7 @@ boundary of "strong" evidence in Kass and Raftery (1995), Sect. 3.2."""
 EFFECT_ODDS = 0.25
 """Some effect of the catalogue takes part, shared equally among the effects."""
 BEYOND_ODDS = 0.25
-"""Some known parameter is off by far more than its tolerance, shared equally among these."""
+"""Some known parameter is off by far more than its tolerance, shared equally."""
 NOISE_ODDS = 0.05
 """A given noise of the catalogue exceeds its stated level."""
 UNNAMED_ODDS = 0.05

@@ -12,8 +12,8 @@ MAX_OFFSET = 0.3 * DEG
 Chosen: pick-offs whose gains differ by 0.6 % read so. A smaller offset turns the simulated pattern
 by less than 0.1 deg."""
 MAX_TURN_SHARE = 0.01
-"""The same as a share of what the table has turned until then. Chosen: an error of the angular gain
-of 1 %."""
+"""Share of what the table has turned that the first reading may differ by as well. Chosen: an error
+of the angular gain of 1 %."""
 READINGS = 9
 """Number of first readings whose median offset counts: one of them may be wrong. Chosen."""
 

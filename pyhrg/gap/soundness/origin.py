@@ -7,10 +7,9 @@ from pyhrg.device.device import Device
 from pyhrg.gap.soundness.exclusion import replace_columns
 from pyhrg.records import Log
 
-MAX_OFFSET = 0.3 * DEG
-"""Largest angle by which the first reading may differ from what table and Earth have turned, rad.
-Chosen: pick-offs whose gains differ by 0.6 % read so. A smaller offset turns the simulated pattern
-by less than 0.1 deg."""
+MAX_OFFSET = 2 * DEG
+"""Largest angle by which the first readings may differ from what table and Earth have turned, rad.
+Chosen: twice what pick-offs read whose axes are off by ten times the typical size."""
 MAX_TURN_SHARE = 0.01
 """Share of what the table has turned that the first reading may differ by as well. Chosen: an error
 of the angular gain of 1 %."""

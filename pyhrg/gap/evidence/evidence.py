@@ -129,7 +129,7 @@ def _log_prior(design: Design, group: Group, length: float, values: Array) -> fl
     magnitude = math.hypot(*values)
     log_norms = sum(map(math.log, design.norms[design.columns[group]]))
     log_density += size * math.log(length / magnitude) - log_norms
-    return log_density - math.log1p(magnitude / group.scale)
+    return log_density - math.log1p(magnitude / group.scale if group.family == "gyro" else length)
 
 
 def log_evidence(power: Array, size: int) -> Array:

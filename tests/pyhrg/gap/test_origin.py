@@ -37,5 +37,8 @@ def test_a_wrong_origin_is_no_gap(simulation: Simulation) -> None:
     assert low < ANISOTROPY < high < 1.01 * low
     assert found.unknown_probability < 0.1
 
-    begun = [sentence for sentence in found.excluded if "begins -11" in sentence]
-    assert len(begun) == len(campaign.tests) // 3
+    mended = [sentence for sentence in found.excluded if "this offset is taken out" in sentence]
+    assert len(mended) == len(campaign.tests) // 3
+    for figure in (found.gap.fit_angle_arcsec, found.gap.holdout_angle_arcsec):
+        assert figure is not None
+        assert figure.after < figure.floor_95[1]

@@ -18,7 +18,7 @@ import numpy as np
 
 from fmu_build.bundle import build_fmu
 from ins_eval.mission_model.missions import plan_mission
-from ins_eval.mission_model.position_errors import TriadBlock, compute_position_errors
+from ins_eval.mission_model.position_errors import TriadBlock, compute_linear_position_errors
 from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.study.gyros.drawn_triad import (
     TriadDistribution,
@@ -66,7 +66,7 @@ def main(flights: int) -> None:
     many = repeated(triads, min(flights, BLOCK))
     with timed(f"{flights} flights of two hours", flights):
         for _ in range(-(-flights // len(many))):
-            compute_position_errors(many, weights, 0)
+            compute_linear_position_errors(many, weights, 0)
 
 
 if __name__ == "__main__":

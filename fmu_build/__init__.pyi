@@ -1,6 +1,6 @@
 from .binaries.platforms import PLATFORMS, BuildError
 from .bundle import build_fmu
-from .check.report import FmuReport, check_fmu
+from .check.report import CheckReport, check_fmu
 from .roots import PARTS, ROOTS
 
 __all__ = [
@@ -8,7 +8,7 @@ __all__ = [
     "PLATFORMS",
     "ROOTS",
     "BuildError",
-    "FmuReport",
+    "CheckReport",
     "build_fmu",
     "check_fmu",
 ]

@@ -2,7 +2,7 @@ from .flights.align_record import align
 from .flights.align_report import AlignedRecord
 from .flights.fly import fly, fly_log
 from .flights.report import Flight
-from .flights.sources import read_record
+from .flights.sources import read_record, write_record
 from .imu.specification import list_imus, load_imu
 from .navigation.strapdown import navigate
 from .parking.parking import ParkingComparison, compare_parking
@@ -38,5 +38,6 @@ __all__ = [
     "run_study",
     "score_challenge",
     "validate",
+    "write_record",
     "write_system",
 ]

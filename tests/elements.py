@@ -1,6 +1,7 @@
 """Elements of a page, each closed where it should be, and what every page is held to."""
 
 import re
+from collections.abc import Iterator
 from html.parser import HTMLParser
 from typing import Any
 
@@ -48,6 +49,28 @@ def check_drawings_have_words(text: str) -> None:
     for tag, attributes in elements(text):
         if tag == "svg":
             assert attributes.get("aria-label") or attributes.get("aria-hidden") == "true"
+
+
+def open_quiet_page(browser: Any, address: str) -> Iterator[Any]:
+    """The page, open; it fails at an error on the console or a request but for the file."""
+    opened = browser.new_page(viewport={"width": 1280, "height": 900})
+    complaints: list[str] = []
+    opened.on("console", lambda message: complaints.append(f"{message.type}: {message.text}"))
+    opened.on("pageerror", lambda error: complaints.append(str(error)))
+    opened.on("request", lambda request: complaints.append(request.url))
+    opened.goto(address)
+    assert complaints.pop(0) == address
+    yield opened
+    assert complaints == []
+    opened.close()
+
+
+def check_width(browser: Any, address: str, width: int) -> None:
+    """A page that reaches over the edge of a window of this width, px, fails."""
+    opened = browser.new_page(viewport={"width": width, "height": 800})
+    opened.goto(address)
+    assert opened.evaluate("document.documentElement.scrollWidth") <= width
+    opened.close()
 
 
 def check_scheme(browser: Any, address: str, dark: bool) -> None:

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from benchmarks.witness.uncertainty import compute_map_deviation
 from ins_eval.study.gyros.drawn_triad import TriadDistribution
 from ins_eval.study.gyros.drift import draw_flight
 from ins_eval.study.gyros.population import RAW
@@ -14,7 +15,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.fmu import GyroFmu
 from pyhrg.witness.fit import Flown, fit_changes
-from pyhrg.witness.information import compute_map_deviation, compute_normalized_square
+from pyhrg.witness.information import compute_normalized_square
 from pyhrg.witness.mechanisms import change_device
 from pyhrg.witness.replay import read_witnesses
 from pyhrg.witness.responses import TERMS, measure_output

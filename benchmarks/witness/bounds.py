@@ -6,6 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from benchmarks.witness.motions import CLASSES, Ride, load_ride
+from benchmarks.witness.uncertainty import (
+    compute_map_deviation,
+    compute_mean_deviation,
+    rank_directions,
+)
 from ins_eval.mission_model.missions import STILL
 from ins_eval.study.gyros.bench_plan import BenchPlan
 from ins_eval.study.gyros.drift import Drift
@@ -17,10 +22,7 @@ from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.witness.information import (
     accumulate_information,
-    compute_map_deviation,
-    compute_mean_deviation,
     compute_posterior,
-    rank_directions,
 )
 from pyhrg.witness.mechanisms import NAMES, THERMAL
 from pyhrg.witness.responses import Motion, Responses, measure_responses

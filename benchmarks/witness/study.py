@@ -12,7 +12,7 @@ from ins_eval.mission_model.missions import plan_mission
 from ins_eval.mission_model.position_errors import (
     TriadBlock,
     compute_expected_error,
-    compute_position_errors,
+    compute_linear_position_errors,
 )
 from ins_eval.mission_model.signals import slice_coefficients
 from ins_eval.mission_model.weights_cache import load_mission_weights
@@ -133,7 +133,7 @@ def compute_scores(
     flights: dict[str, list[Array]] = {}
     for number, (mission, title) in enumerate(CLASSES.items()):
         weights = select_time(load_mission_weights(plan_mission(mission, HOURS)), -1)
-        flown = compute_position_errors(triads, weights, number).error[:, 0]
+        flown = compute_linear_position_errors(triads, weights, number).error[:, 0]
         predictions = predict_all(weights, load_ride(mission, HOURS), triads, known, model)
         for name, each in predictions.items():
             flights.setdefault(name, []).append(tabulate(flown, each))

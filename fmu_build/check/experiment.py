@@ -21,21 +21,29 @@ Trace = dict[str, list[float]]
 
 
 @dataclass(frozen=True)
-class Experiment:
-    """Start at `start`, `STEPS` communication steps of `step`, all else as the FMU has it.
+class Run:
+    """Start at `start`, `steps` communication steps of `step`, s, all else as the file has it.
 
-    inputs: values of inputs, set before initialization and held.
-    outputs: names and value references of what is recorded.
+    standards: what an importer must know; outputs: names and value references of what is recorded.
     """
 
     path: str
-    identifier: str
-    fmi: int
+    standards: tuple[str, ...]
     start: float
     step: float
     steps: int
-    inputs: dict[str, float]
     outputs: dict[str, int]
+
+
+@dataclass(frozen=True)
+class Experiment(Run):
+    """Run of an FMU.
+
+    inputs: values of inputs, set before initialization and held; references: of these.
+    """
+
+    identifier: str
+    inputs: dict[str, float]
     references: dict[str, int]
 
 
@@ -62,21 +70,34 @@ def plan_experiment(fmu: Fmu) -> Experiment | None:
     interface = fmu.description.find("CoSimulation")
     if interface is None:
         return None
-    scalars = (v for v in fmu.variables if not v.given.keys() & {"alias", "dimensions"})
-    floats = [v for v in scalars if v.kind in FLOAT]
-    inputs = [v for v in floats if v.causality == "input"]
+    inputs = _list_floats(fmu, "input")
     variable_step = is_true(interface.get("canHandleVariableCommunicationStepSize"))
     return Experiment(
         path=str(fmu.path.resolve()),
         identifier=interface.get("modelIdentifier", ""),
-        fmi=fmu.major,
+        standards=(name_standard(fmu),),
         start=_default(fmu, "startTime", 0.0),
         step=_step(fmu, variable_step),
         steps=STEPS,
         inputs={v.name: _nudge_start(fmu, v) for v in inputs},
-        outputs={v.name: int(v.reference) for v in floats if v.causality == "output"},
+        outputs=list_outputs(fmu),
         references={v.name: int(v.reference) for v in inputs},
     )
+
+
+def name_standard(fmu: Fmu) -> str:
+    """The standard of an FMU in words."""
+    return f"FMI {fmu.major}.0"
+
+
+def list_outputs(fmu: Fmu) -> dict[str, int]:
+    """Value references of the real scalar outputs by name."""
+    return {v.name: int(v.reference) for v in _list_floats(fmu, "output")}
+
+
+def _list_floats(fmu: Fmu, causality: str) -> list[Variable]:
+    scalars = (v for v in fmu.variables if not v.given.keys() & {"alias", "dimensions"})
+    return [v for v in scalars if v.kind in FLOAT and v.causality == causality]
 
 
 def find_missing_binary(fmu: Fmu, planned: Experiment) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""`hrg check`: an FMU of any maker, by our own rules and by other people's tools."""
+"""`hrg check`: an FMU or an SSP of any maker, by our own rules and by other people's tools."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from typing import TYPE_CHECKING
 import fmu_build
 
 if TYPE_CHECKING:
-    from fmu_build.check.report import Check
+    from fmu_build.check.check import Check
 
-HELP = "check an FMU by rules of the standard and in other importers"
+HELP = "check an FMU or an SSP by rules of the standard and in other importers"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("fmu", type=Path, metavar="FILE.fmu", help="FMI 2.0 or 3.0")
+    parser.add_argument("file", type=Path, metavar="FILE", help="FMU of FMI 2.0 or 3.0, or SSP")
     parser.add_argument(
         "--json", action="store_true", help="print an object of all checks instead of lines"
     )
@@ -26,10 +26,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> None:
     if options.json:
-        report = fmu_build.check_fmu(options.fmu)
+        report = fmu_build.check_fmu(options.file)
         print(json.dumps(asdict(report), indent=1, default=str))
     else:
-        report = fmu_build.check_fmu(options.fmu, progress=_print)
+        report = fmu_build.check_fmu(options.file, progress=_print)
         skipped = report.skipped_count
         remark = f"; {_count(skipped, 'check')} skipped" if skipped else ""
         print(f"{_count(report.finding_count, 'finding')} in {report.path}{remark}")

@@ -110,6 +110,7 @@ def fly_plan(
     return Flight(
         *(plan, trajectory.name, _name_imu(imu), truth.position, flown.alignments, dataset, budget),
         imu_digest=digest_value(imu),
+        remark=trajectory.remark,
     )
 
 

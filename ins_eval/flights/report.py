@@ -42,7 +42,8 @@ class Flight:
     none if the runs start from the truth; dataset: navigated states by run and time; where a truth
     is known, true states and errors; the linear model's one-sigma; for simulated IMUs, the
     navigator's own error; sigma_budget: of a log, the final one-sigma by effect and axis
-    (`compute_sigma_budget`); imu_digest: SHA-256 of the IMU's parameters or of the log.
+    (`compute_sigma_budget`); imu_digest: SHA-256 of the IMU's parameters or of the log;
+    remark: what a user should know of the trajectory.
     """
 
     plan: Plan
@@ -54,6 +55,7 @@ class Flight:
     budget: Budget | None = None
     sigma_budget: pd.DataFrame | None = None
     imu_digest: str = ""
+    remark: str = ""
 
     __repr__ = describe_briefly
 
@@ -73,7 +75,8 @@ class Flight:
         head = f"at the end, after {float(last['time']) / 3600:.4g} h"
         lines = [f"{head:<{LABEL}}" + "".join(f"{name:>{NUMBER}}" for name in COMPONENTS)]
         lines += [_line(label, row) for label, row in _end_rows(self, last)]
-        return "\n".join([self.title, "", *_alignment_lines(self), *lines, *_budget_lines(self)])
+        title = f"{self.title}\n{self.remark}" if self.remark else self.title
+        return "\n".join([title, "", *_alignment_lines(self), *lines, *_budget_lines(self)])
 
     @property
     def budget_table(self) -> pd.DataFrame:

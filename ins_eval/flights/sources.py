@@ -1,5 +1,6 @@
 """What a user names: IMUs at a rate, recorded logs with their place, and a log's truth."""
 
+import gzip
 from dataclasses import replace
 from pathlib import Path
 
@@ -15,8 +16,10 @@ from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.arguments import check_number, check_whole_number
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
-from pyhrg.records.imu.log import RecordedImu
+from pyhrg.common.files import write_whole
+from pyhrg.records.imu.log import Increments, RecordedImu
 from pyhrg.records.imu.recorded import read_imu_log
+from pyhrg.records.imu.table_log import format_table
 
 
 def read_record(path: str | Path, trusted: bool = False) -> RecordedImu:
@@ -31,6 +34,25 @@ def read_record(path: str | Path, trusted: bool = False) -> RecordedImu:
         HrgError: an unreadable file, or one with wrong or contradictory content.
     """
     return read_imu_log(Path(path), trusted)
+
+
+def write_record(increments: Increments, path: str | Path) -> None:
+    """Write increments as an IMU log that `read_record` reads back to the same bits.
+
+    Args:
+        increments: of an IMU (`Imu.measure`) or an ideal one (`Trajectory.increments`).
+        path: a table of time and increments in SI (docs/imus.md): `.csv`, `.csv.gz` or `.parquet`.
+
+    Raises:
+        HrgError: the name has another ending.
+        OSError: the file can't be written.
+    """
+    path = Path(path)
+    packed = path.suffix == ".gz"
+    data = format_table(increments, path.with_suffix("").suffix if packed else path.suffix)
+    if data is None or (packed and not path.name.endswith(".csv.gz")):
+        raise HrgError(f"{path}: found {path.suffix!r}, expected .csv, .csv.gz or .parquet")
+    write_whole(path, gzip.compress(data, mtime=0) if packed else data)
 
 
 NO_TRUTH, AT_REST = "none", "rest"
@@ -66,7 +88,9 @@ def read_placed_record(
             if value:
                 raise HrgError(f"{name}: found {value:g}, expected latitude_deg as well")
         if record.position is None:
-            raise HrgError(f"{path}: doesn't say where it was recorded; expected latitude_deg")
+            raise HrgError(
+                f"{path}: it doesn't say where it was recorded; expected the argument latitude_deg"
+            )
         return record, record.position
     check_number("latitude_deg", latitude_deg, -HIGHEST_LATITUDE_DEG, HIGHEST_LATITUDE_DEG)
     check_number("longitude_deg", longitude_deg, -360, 360)

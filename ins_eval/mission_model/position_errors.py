@@ -1,5 +1,6 @@
-"""Position errors of many triads in one mission, by the linear error model, in parts; what the
-bench measured of them stands beside what flies. Method: docs/methods/mission_model.md.
+"""Position errors of many triads in one mission, by the linear error model, in parts; no navigator
+runs. What the bench measured of them stands beside what they are. Method:
+docs/methods/mission_model.md.
 """
 
 from collections.abc import Sequence
@@ -29,7 +30,7 @@ class TriadBlock:
     map_per_kelvin: (r, 2 TERMS, 3) their change per kelvin;
     map_variance: (r, 2 TERMS, 3) variance of their errors in another power-on.
 
-    What flies:
+    What the linear model takes for the flight:
     start_angle: (r, 3) pattern angle at power-on, rad;
     rise: (r, 3) final temperature above that of the calibration, K;
     in_flight: (r, COUNT, 3) coefficients of `signals` over the pattern's turn from that angle;
@@ -101,7 +102,7 @@ class PositionErrors:
         return np.asarray(np.hypot(*np.moveaxis(self.error, -1, 0)))
 
 
-def compute_position_errors(
+def compute_linear_position_errors(
     triads: TriadBlock, weights: MissionWeights, mission: int
 ) -> PositionErrors:
     """Position errors of a block of triads in a mission.

@@ -38,13 +38,13 @@ def integrate_body_step(
     coning = (0.0, 0.0, 0.0)
     sculling = (0.0, 0.0, 0.0)
     turning_mean = (0.0, 0.0, 0.0)
-    moving = (0.0, 0.0, 0.0)
+    mean_change = (0.0, 0.0, 0.0)
     scrolled = (0.0, 0.0, 0.0)
     for j in range(n):
         alpha_j, beta_j = get_row(rotation, first + j), get_row(velocity, first + j)
         turn, push = add(turn, alpha_j), add(push, beta_j)
         turning_mean = add(turning_mean, scale(mean[j], alpha_j))
-        moving = add(moving, scale(mean[j], beta_j))
+        mean_change = add(mean_change, scale(mean[j], beta_j))
         for i in range(n):
             alpha_i = get_row(rotation, first + i)
             across = cross(alpha_i, beta_j)
@@ -54,21 +54,21 @@ def integrate_body_step(
                 coning = add(coning, scale(turning[i, j], cross(alpha_i, alpha_j)))
     once = cross(turn, push)
     twice = cross(turn, once)
-    slopes = slope_correction(turn, push, turning_mean, moving, once)
+    slopes = slope_correction(turn, push, turning_mean, mean_change, once)
     a, b, c = rotation_integrals(dot(turn, turn))
     change = add(add(add(push, sculling), slopes), add(scale(a, once), scale(b, twice)))
-    moving = add(add(moving, scrolled), add(scale(b, once), scale(c, twice)))
-    return add(turn, coning), change, moving
+    mean_change = add(add(mean_change, scrolled), add(scale(b, once), scale(c, twice)))
+    return add(turn, coning), change, mean_change
 
 
 @compile_loop
 def slope_correction(
-    turn: Vector, push: Vector, turning_mean: Vector, moving: Vector, once: Vector
+    turn: Vector, push: Vector, turning_mean: Vector, mean_change: Vector, once: Vector
 ) -> Vector:
     """Return the velocity change of second order in the angle and first order in the slopes of
     rate and force (docs/methods/navigation.md, Eq. 5)."""
     rate_slope = subtract(turn, scale(2.0, turning_mean))
-    force_slope = subtract(push, scale(2.0, moving))
+    force_slope = subtract(push, scale(2.0, mean_change))
     of_force = cross(turn, cross(turn, force_slope))
     return scale(0.25, subtract(of_force, cross(rate_slope, once)))
 

@@ -1,8 +1,9 @@
 """Coefficients of the coning, sculling and scrolling terms for 2 to 4 increments a step.
 
 They are derived here from docs/methods/navigation.md, Eqs. 6 to 9: rate and specific force are the
-polynomials whose integrals are the increments, and their products are integrated exactly. The one
-remaining degree of freedom is spent on pure coning. The unit of time is the step.
+polynomials whose integrals are the increments, and their products are integrated exactly. The
+condition of the highest pair of powers is replaced by that of pure coning (Miller 1983). The unit
+of time is the step.
 """
 
 from functools import lru_cache

@@ -111,14 +111,14 @@ def turn_navigation_axes(
 
 @compile_loop
 def transform_to_turning_axes(
-    change: Vector, moving: Vector, turn: Vector
+    change: Vector, mean_change: Vector, turn: Vector
 ) -> tuple[Vector, Vector]:
     """Transform velocity change and its mean from the axes at the step's start to turning axes
     (docs/methods/navigation.md, Eq. 12; Savage 1998, Part II Eq. 10, to second order)."""
     crossed = cross(turn, change)
-    lag = cross(turn, subtract(change, moving))
+    lag = cross(turn, subtract(change, mean_change))
     transformed = add(subtract(change, lag), scale(1 / 6, cross(turn, crossed)))
-    return transformed, subtract(moving, scale(1 / 6, crossed))
+    return transformed, subtract(mean_change, scale(1 / 6, crossed))
 
 
 @compile_loop
@@ -137,27 +137,27 @@ def advance_vertical_channel(
     channel: VerticalChannel,
     k: int,
     step: float,
-    now: Vector,
-    pushed: Vector,
+    state: Vector,
+    predicted: Vector,
     gravity: float,
 ) -> Vector:
     """Return height, m, velocity down, m/s, and the height integral, m s, after step k, from those
-    `now`.
+    of `state`.
 
-    docs/methods/navigation.md, Eqs. 13 and 14. `pushed`: velocity change down without gravity and
-    its mean over the step, m/s, and the predicted height at its middle, m.
+    docs/methods/navigation.md, Eqs. 13 and 14. `predicted`: velocity change down without gravity
+    and its mean over the step, m/s, and the predicted height at its middle, m.
     """
     if channel.clamped:
         return (channel.height[k + 1], -channel.climb[k + 1], 0.0)
-    height, down, integral = now
-    change, moving, middle_height = pushed
+    height, down, integral = state
+    change, mean_change, middle_height = predicted
     of_height, of_velocity, of_integral = channel.gains
     before = height - channel.height[k]
     excess = middle_height - 0.5 * (channel.height[k] + channel.height[k + 1])
     excess -= 0.5 * step * of_height * before
     feedback = of_velocity * excess + of_integral * (integral + 0.5 * step * excess)
     gained = step * (gravity + feedback)
-    sink = down + moving + 0.5 * gained + of_height * excess
+    sink = down + mean_change + 0.5 * gained + of_height * excess
     return (height - step * sink, down + change + gained, integral + step * excess)
 
 
@@ -189,20 +189,20 @@ def resolve_step(
     """Resolve the result of `integrate_body_step` in navigation axes: middle of the step, rotation
     vector of the axes, rad, velocity change without gravity down, m/s, and its mean over the step,
     m/s."""
-    change, moving = rotate(q, body[1]), rotate(q, body[2])
+    change, mean_change = rotate(q, body[1]), rotate(q, body[2])
     gravity = earth.gravity(latitude, height)
-    down = mean_down_velocity(channel, k, step, vel[2] + moving[2], gravity)
+    down = mean_down_velocity(channel, k, step, vel[2] + mean_change[2], gravity)
     north, east = earth.horizontal_gravity(latitude, height, deflection)
     average = (
-        vel[0] + moving[0] + 0.5 * step * north,
-        vel[1] + moving[1] + 0.5 * step * east,
+        vel[0] + mean_change[0] + 0.5 * step * north,
+        vel[1] + mean_change[1] + 0.5 * step * east,
         down,
     )
     place = locate_midpoint(latitude, height, average, step, deflection)
     turn, coriolis = turn_navigation_axes(average, change, place, step, channel.clamped)
-    change, moving = transform_to_turning_axes(change, moving, turn)
+    change, mean_change = transform_to_turning_axes(change, mean_change, turn)
     pulled = add(coriolis, scale(step, (place.gravity_north, place.gravity_east, 0.0)))
-    return place, turn, add(change, pulled), add(moving, scale(0.5, pulled))
+    return place, turn, add(change, pulled), add(mean_change, scale(0.5, pulled))
 
 
 @compile_loop
@@ -233,18 +233,18 @@ def run_steps(
     steps = len(rotation) // samples
     for k in range(steps):
         body = integrate_body_step(rotation, velocity, k * samples, coefficients)
-        place, turn, change, moving = resolve_step(
+        place, turn, change, mean_change = resolve_step(
             k, step, latitude, height, vel, q, body, channel, deflection
         )
 
-        north = step * (vel[0] + moving[0]) / place.radius_n
-        east = step * (vel[1] + moving[1]) / (place.radius_e * place.cos)
+        north = step * (vel[0] + mean_change[0]) / place.radius_n
+        east = step * (vel[1] + mean_change[1]) / (place.radius_e * place.cos)
         latitude, latitude_error = add_compensated(latitude, latitude_error, north)
         longitude, longitude_error = add_compensated(longitude, longitude_error, east)
-        pushed = (change[2], moving[2], place.height)
-        now = (height, vel[2], integral)
+        predicted = (change[2], mean_change[2], place.height)
+        state = (height, vel[2], integral)
         height, down, integral = advance_vertical_channel(
-            channel, k, step, now, pushed, place.gravity
+            channel, k, step, state, predicted, place.gravity
         )
         vel = (vel[0] + change[0], vel[1] + change[1], down)
         q, q_error = add_quaternion_compensated(q, q_error, attitude_change(q, body[0], turn))

@@ -75,7 +75,7 @@ def compare(
     `plan` (`measure_maps`); `progress` is called with the gyro minutes done and those of all.
     """
     fmu = GyroFmu(fmu_path)
-    truth = mission.truth
+    truth = mission.truth.increments
 
     def fly(seeds: np.random.SeedSequence) -> TriadFlights:
         generator = np.random.default_rng(seeds)

@@ -49,7 +49,7 @@ def fly_triad(gyros: Sequence[MappedGyro], velocity: Array, mission: Mission) ->
 
     @cache
     def flight(axis: int, start: Start, with_maps: bool) -> GyroOutput:
-        return gyros[axis].flight(mission.truth, axis, start, with_maps)
+        return gyros[axis].flight(mission.truth.increments, axis, start, with_maps)
 
     radial, heading, ready = [], [], []
     for case in CASES:
@@ -91,7 +91,7 @@ def _start_up(
     mission: Mission,
 ) -> Array:
     """Heading errors in the order of `RECORDS`; all with the whole maps taken out."""
-    truth = mission.truth
+    truth = mission.truth.increments
     rest, before = round(STILL / INTERVAL), round(RUNNING / INTERVAL)
     rows = np.arange(-before, rest).clip(min=0)
     longer = Increments(INTERVAL, truth.rotation[rows], truth.velocity[rows], -STILL - RUNNING)

@@ -19,8 +19,8 @@ from ins_eval.results import quantities
 from ins_eval.results.quantities import ALL, BY_COLUMN, BY_NAME, Quantity
 from pyhrg.common.arrays import Array
 
-POSITION, VELOCITY, ATTITUDE = slice(0, 3), slice(3, 6), slice(6, 9)
-"""Places in a covariance's first nine rows, as `TrackError` orders them."""
+ATTITUDE = slice(6, 9)
+"""Place in a covariance's first nine rows, as `TrackError` orders them."""
 
 
 def tabulate_navigated(tracks: Sequence[Track]) -> xr.Dataset:

@@ -1,9 +1,11 @@
-"""The files of a study, from the results of all its triads: table, scores, report. Scores of the
-linear model against the co-simulated samples, all without noise, are among them.
+"""The files of a study, from the results of all its triads: table, scores, report.
+
+Among the scores is how far the linear model is from samples that are co-simulated without noise.
 """
 
 import json
 from collections.abc import Iterator, Mapping
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -61,12 +63,14 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.made_by import list_versions
 from pyhrg.common.units import DEG, DEG_PER_H, HOUR
 
-LARGEST_RELATIVE_DIFFERENCE = 0.01
-"""Largest accepted ratio of the rms difference to the rms error. Chosen."""
+MAX_LINEAR_MODEL_ERROR = 0.01
+"""Largest accepted rms of the linear model's position error less the co-simulated one, over the rms
+co-simulated one. Chosen."""
 
 
 def score_agreement(study: Study, arrays: Arrays) -> list[Score]:
-    """Scores by sample, calibration and mission class, at the end; none without a sample."""
+    """How far the linear model's final position error is from that co-simulated without noise: one
+    score for each sample, calibration and mission class; none without a sample."""
     samples = (
         (study.agreement, NOISELESS, score.AGREEMENT),
         (study.steady_agreement, STEADY_LOOPS, score.STEADY_AGREEMENT),
@@ -105,8 +109,8 @@ def _score_groups(study: Study, arrays: Arrays, flights: str, key: str) -> Itera
                 role=ALL,
                 n=len(samples[0]),
                 seed=study.seed,
-                asked=f"<= {LARGEST_RELATIVE_DIFFERENCE:g}",
-                verdict=judge_bounds(estimate, high=LARGEST_RELATIVE_DIFFERENCE),
+                asked=f"<= {MAX_LINEAR_MODEL_ERROR:g}",
+                verdict=judge_bounds(estimate, high=MAX_LINEAR_MODEL_ERROR),
             )
 
 
@@ -177,7 +181,7 @@ def _make_document(
         CONDITIONS_KEY: {c.title: c.what for c in CONDITIONS} if study.conditions else {},
         LEAD_KEY: lead_case,
         PHASE_KEY: phase,
-        WITNESS_KEY: [each.describe() for each in told],
+        WITNESS_KEY: [asdict(each) for each in told],
         "made_by": list_versions(),
         "scores": [each.describe() for each in scores],
     }

@@ -5,7 +5,7 @@ predictor: how it treats the gyros' maps, their warming, mounting and accelerome
 """
 
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -20,7 +20,9 @@ from ins_eval.navigation.strapdown import navigate
 from ins_eval.study.gyros.drawn_triad import DrawnTriad
 from ins_eval.study.gyros.drift import Flight
 from ins_eval.study.gyros.true_maps import list_slow_parameters
+from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.arrays import Array
+from pyhrg.common.units import HOUR
 from pyhrg.fmu import Gyro, GyroFmu, record_together
 from pyhrg.records.imu.log import Increments
 
@@ -69,11 +71,18 @@ class MissionTruth:
 
 def sample_truth(mission: StudyMission, interval: float = INTERVAL) -> MissionTruth:
     """The truth of a mission from power-on, in increments of this interval, s."""
-    trajectory = mission.trajectory()
-    duration = mission.hours * 3600
-    steps = round(duration / interval)
-    kept = round(mission.interval / interval)
-    time = mission.interval * np.arange(1.0, steps // kept + 1)
+    return sample_trajectory(mission.trajectory(), mission.hours * HOUR, mission.interval, interval)
+
+
+def sample_trajectory(
+    trajectory: Trajectory, duration: float, spacing: float, interval: float = INTERVAL
+) -> MissionTruth:
+    """The truth along a trajectory from power-on, for this duration of navigation, s.
+
+    spacing: time between kept positions, s; interval: of the increments, s.
+    """
+    steps, kept = round(duration / interval), round(spacing / interval)
+    time = spacing * np.arange(1.0, steps // kept + 1)
     before = round(STILL / interval)
     increments = trajectory.increments(-STILL, interval, before + steps)
     return MissionTruth(
@@ -102,6 +111,12 @@ def cosimulate(
     return align_and_navigate(truth, _measure(fmu, truth, triad, noise))
 
 
+def align_at_rest(truth: MissionTruth, measured: Increments, settling: float) -> Array:
+    """(3, 3) attitude at time 0 from these increments since `settling` s after power-on."""
+    begin, zero = (round(time / measured.interval) for time in (settling, STILL))
+    return level_and_gyrocompass(measured.between(begin, zero), truth.start.latitude)
+
+
 def align_and_navigate(
     truth: MissionTruth, measured: Increments, settling: float = SETTLING
 ) -> Array:
@@ -109,11 +124,8 @@ def align_and_navigate(
 
     settling: time from power-on after which the alignment begins, s.
     """
-    begin, zero = round(settling / measured.interval), round(STILL / measured.interval)
-    start = truth.start
-    mat_nb = level_and_gyrocompass(measured.between(begin, zero), start.latitude)
-    state = State(start.latitude, start.longitude, start.height, start.velocity, mat_nb)
-    flight = measured.between(zero, len(measured))
+    state = replace(truth.start, mat_nb=align_at_rest(truth, measured, settling))
+    flight = measured.between(round(STILL / measured.interval), len(measured))
     track = navigate(state, flight, Clamped(truth.height), truth.kept)
     return position_error(track.position[-len(truth.position) :], truth.position)[:, :2]
 

@@ -15,7 +15,7 @@ from ins_eval.mission_model.missions import StudyMission, plan_mission
 from ins_eval.mission_model.position_errors import (
     PositionErrors,
     TriadBlock,
-    compute_position_errors,
+    compute_linear_position_errors,
 )
 from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.study import lead
@@ -96,7 +96,7 @@ def compute_block(study: Study, triads: range) -> Arrays:
             for method, block in blocks.items():
                 path = f"{method}/{number}"
                 arrays |= _witness(study, method, number, triads, believed[method], weights)
-                arrays |= _name_arrays(compute_position_errors(block, weights, number), path)
+                arrays |= _name_arrays(compute_linear_position_errors(block, weights, number), path)
                 flown = _cosimulate_triads(
                     study, number, dict(zip(triads, drawn[method], strict=True))
                 )
@@ -223,7 +223,7 @@ def _fly_conditions(
     for place, condition in enumerate(CONDITIONS):
         triads, path = condition.triads(whole), f"{CONDITION}/{place}"
         weights = load_mission_weights(condition.plan(study))
-        errors = compute_position_errors(triads, weights, len(study.missions) + place)
+        errors = compute_linear_position_errors(triads, weights, len(study.missions) + place)
         arrays |= _name_arrays(triads, path) | _name_arrays(errors, f"{path}/{FLOWN}")
     return arrays
 

@@ -177,8 +177,8 @@ def _make_rows(
 def _list_flown_errors(
     errors: PositionErrors, cosimulated: Array, weights: MissionWeights
 ) -> dict[str, Any]:
-    """Errors at the end, and the horizontal error at the times of `columns.GROWTH`: of the
-    co-simulation where there is one, else of the linear model."""
+    """Errors at the end, and the horizontal error at the times of `columns.GROWTH`. `FLOWN_BY` says
+    what they are of: the co-simulation where there is one, else the linear model."""
     done = np.asarray(np.isfinite(cosimulated).all(axis=(1, 2)))
     total = np.where(done[:, None, None], cosimulated, errors.error)
     radial = np.linalg.norm(total, axis=-1)

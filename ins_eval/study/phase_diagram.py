@@ -111,7 +111,6 @@ RATIOS = np.geomspace(0.1, 100.0, 13)
 ANGLES = 64
 """Number of start angles from which each triad flies. Chosen."""
 FIXED, CIRCUMFERENCE, MAP = "fixed position", "full circumference", "fitted map"
-TESTS = (FIXED, CIRCUMFERENCE, MAP)
 COLUMNS = ("turning_rev_per_h", "map_over_noise", "test", "share", "low", "high", "triads")
 
 

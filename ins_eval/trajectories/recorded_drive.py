@@ -7,6 +7,7 @@ project.
 
 import math
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -64,6 +65,10 @@ MAX_JOINT_ACCELERATION = 4.0
 """Largest lateral acceleration of a joint, m/s^2, which lasts longer instead. Chosen: 0.4 g."""
 SUBSTEPS = 20
 """Steps a second of the joint's path. Chosen."""
+REST_SPEED = 0.05
+"""Speed below which a drive begins at rest, m/s. Chosen: noise of recorded velocities."""
+MARGIN = 10.0
+"""Time after its end that a trajectory goes on, s. Chosen."""
 
 
 @dataclass(frozen=True)
@@ -108,7 +113,9 @@ def repeat_drive(drive: Drive, duration: float, still: float = 0.0) -> Trajector
     """Build a trajectory that stands still for `still` s and then repeats the drive for `duration`
     s.
 
-    Each repetition begins where the one before ended. Joints change velocity and attitude smoothly.
+    A drive that begins at rest begins at time 0; to another a joint leads from rest. Each
+    repetition begins where the one before ended. Joints change velocity and attitude smoothly. The
+    trajectory's remark says what is not as recorded.
     """
     check_durations(drive.name, duration, still)
     standing = np.arange(-still, 0.5, 1.0)
@@ -116,8 +123,14 @@ def repeat_drive(drive: Drive, duration: float, still: float = 0.0) -> Trajector
     position = [np.tile(drive.position[0], (len(standing), 1))]
     euler = [np.tile(drive.euler[0], (len(standing), 1))]
     velocity = np.zeros(3)
-    while time[-1][-1] < duration + 10.0:
-        for piece in (_join(drive, position[-1][-1], velocity, euler[-1][-1]), None):
+    begins: list[float] = []
+    while time[-1][-1] < duration + MARGIN:
+        pieces = [_join(drive, position[-1][-1], velocity, euler[-1][-1]), None]
+        if not begins and np.linalg.norm(drive.velocity[0]) < REST_SPEED:
+            del pieces[0]
+        for piece in pieces:
+            if piece is None:
+                begins.append(float(time[-1][-1]))
             t, p, e = piece or _continue_drive(drive, position[-1][-1], euler[-1][-1])
             time.append(time[-1][-1] + t)
             position.append(p)
@@ -130,7 +143,18 @@ def repeat_drive(drive: Drive, duration: float, still: float = 0.0) -> Trajector
             f"{drive.name}: repeated for {duration / 3600:g} h it leaves latitudes "
             f"{LIMITS['latitude_deg'][0]:g} to {LIMITS['latitude_deg'][1]:g}; fly it for less"
         )
-    return Trajectory(drive.name, np.concatenate(time), np.hstack([p, e]))
+    remark = _remark(drive, begins, duration)
+    return Trajectory(drive.name, np.concatenate(time), np.hstack([p, e]), remark=remark)
+
+
+def _remark(drive: Drive, begins: Sequence[float], duration: float) -> str:
+    """What of a trajectory is not as recorded; begins: times at which the repetitions begin, s."""
+    said = []
+    if begins[0] > 0:
+        said.append(f"it is in motion at its first row, so {begins[0]:g} s lead to it from rest")
+    if begins[0] + drive.time[-1] < duration:
+        said.append(f"it lasts {drive.time[-1]:g} s and is repeated")
+    return f"{drive.name}: {'; '.join(said)}" if said else ""
 
 
 def _join(

@@ -26,13 +26,19 @@ class Trajectory:
 
     time: (n,) of the knots, s; channels: (n, 6) latitude, longitude, rad, height, m, roll, pitch,
     yaw, rad, at the knots, without jumps of a turn; deflection: of the vertical along all of it,
-    north and east, rad.
+    north and east, rad; remark: what a user should know of how it was made.
     """
 
     def __init__(
-        self, name: str, time: Array, channels: Array, deflection: tuple[float, float] = (0.0, 0.0)
+        self,
+        name: str,
+        time: Array,
+        channels: Array,
+        deflection: tuple[float, float] = (0.0, 0.0),
+        remark: str = "",
     ) -> None:
         self.name = name
+        self.remark = remark
         self.deflection = deflection
         self.start = float(time[0])
         self.end = float(time[-1])

@@ -1,7 +1,7 @@
 """A test procedure: it makes records on the simulated gyro, and evaluates records of any gyro."""
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.device.device import Device
@@ -32,7 +32,8 @@ class Procedure:
     source: where method and formulas come from.
     kinds: kinds of campaign tests that it evaluates.
     record: makes the test's power-ons on the virtual bench; takes the options as keywords.
-    evaluate: gives the outcome of a campaign that holds tests of these kinds.
+    evaluate: gives the outcome of a campaign that holds tests of these kinds; its exclusions are
+        those of this procedure, such as a turn that is too short.
     model: model that the virtual bench simulates, a key of `fmu_build.roots.ROOTS`.
     step: communication step of the simulation, s.
     options: parts of the plan that a user may change.
@@ -69,8 +70,10 @@ def require_tests(campaign: Campaign, *kinds: str) -> list[Test]:
     return tests
 
 
-def list_exclusions(tests: Sequence[Test]) -> tuple[str, ...]:
-    """A sentence on each part of the tests' logs that is missing or that the reader excluded, with
-    the file's name."""
-    notes = ((test.log.source, fold_absent_columns(test.log.exclusions)) for test in tests)
-    return tuple(f"{source}: {text}" for source, texts in notes for text in texts)
+def evaluate_tests(procedure: Procedure, campaign: Campaign) -> Outcome:
+    """The outcome of a procedure; what its tests' logs lack, and what the reader excluded of them,
+    is among the exclusions, with the file's name."""
+    outcome = procedure.evaluate(campaign)
+    logs = [test.log for test in select_tests(campaign, *procedure.kinds)]
+    noted = (f"{log.source}: {x}" for log in logs for x in fold_absent_columns(log.exclusions))
+    return replace(outcome, exclusions=(*noted, *outcome.exclusions))

@@ -12,7 +12,7 @@ import pandas as pd
 
 from pyhrg.bench import catalogue
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.procedure import Procedure
+from pyhrg.bench.procedure import Procedure, evaluate_tests
 from pyhrg.bench.reporting.progress import BenchProgress
 from pyhrg.bench.reporting.result import (
     PAGE,
@@ -177,7 +177,7 @@ def _attempt(
     progress.begin(procedure.name)
     try:
         records = source.get_records(procedure)
-        outcome = procedure.evaluate(records)
+        outcome = evaluate_tests(procedure, records)
     except HrgError as error:
         if len(source.procedures) == 1:
             raise

@@ -4,12 +4,11 @@
 """
 
 from pyhrg.fmu.archive import GyroError
-from pyhrg.fmu.gyro import CHUNK, Gyro
+from pyhrg.fmu.gyro import Gyro
 from pyhrg.fmu.gyro_fmu import GyroFmu
 from pyhrg.fmu.rows import COMMANDS, CONTROL_PERIOD
 from pyhrg.fmu.together import WIDE, record_together
 
 __all__ = [
-    "CHUNK", "COMMANDS", "CONTROL_PERIOD", "WIDE", "Gyro", "GyroError", "GyroFmu",
-    "record_together",
+    "COMMANDS", "CONTROL_PERIOD", "WIDE", "Gyro", "GyroError", "GyroFmu", "record_together",
 ]  # fmt: skip

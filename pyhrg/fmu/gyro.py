@@ -1,7 +1,6 @@
 """One gyro that is switched on."""
 
 from collections.abc import Callable, Mapping, Sequence
-from types import TracebackType
 
 from pyhrg.common.arrays import Array
 from pyhrg.fmu.archive import GyroError
@@ -38,13 +37,8 @@ class Gyro:
     def __enter__(self) -> "Gyro":
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        if error is not None:
+    def __exit__(self, kind: object, *error: object) -> None:
+        if kind is not None:
             self.instance.slave.freeInstance()
             return
         self.instance.reset()

@@ -50,7 +50,8 @@ def fit_coefficients(records: Sequence[Spectrum], interval: float) -> NoiseCoeff
     R. Cousins, Phys. Rev. D 57 (1998)). So one rule gives an upper bound where a noise isn't seen
     and two ends where it is. The signed root of the ratio is normal about minus a sixth of the
     estimator's skewness (O. Barndorff-Nielsen, Biometrika 73 (1986)), which matters where a few
-    slow frequencies show a noise; the correction is made at the end that it moves outwards.
+    slow frequencies show a noise; it corrects the end of the interval that it moves
+    outwards, so that no interval becomes narrower.
     `benchmarks/intervals/noise.py` measures the intervals' coverage.
     """
     best = maximize_likelihood(records)

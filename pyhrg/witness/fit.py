@@ -11,7 +11,7 @@ from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD, GyroFmu, record_together
 from pyhrg.witness.filter import filter_rows
 from pyhrg.witness.information import compute_normalized_square, factor_covariance
-from pyhrg.witness.mechanisms import COUNT, HEATING, change_device
+from pyhrg.witness.mechanisms import COUNT, TEMPERATURE_RATE, change_device
 from pyhrg.witness.prior import Prior
 from pyhrg.witness.replay import SETTLING, Replay, Witnesses, guess_course, replay
 from pyhrg.witness.responses import (
@@ -135,7 +135,9 @@ def _fit_stage(
     changes, moved = start, np.zeros_like(residuals)
     for left in reversed(range(rounds)):
         # the replay leaves out the bias by the rate of temperature
-        values = residuals - moved + design @ (np.where(HEATING, 0.0, changes) - prior.mean)
+        values = (
+            residuals - moved + design @ (np.where(TEMPERATURE_RATE, 0.0, changes) - prior.mean)
+        )
         filtered = filter_rows(
             design @ root, values, noise, np.eye(COUNT), np.maximum(scatter, noise)
         )
@@ -160,10 +162,10 @@ def _average_design(responses: Responses, motion: Motion) -> tuple[Array, Array]
     averaged over `BLOCK`."""
     terms = evaluate_motion(motion).reshape(len(motion.angle), -1)
     steady = _average(terms, motion.interval)
-    heated = _average(terms * motion.heating[:, None], motion.interval)
+    heated = _average(terms * motion.temperature_rate[:, None], motion.interval)
     flat = responses.forces.reshape(COUNT, 2, -1)
     design = np.einsum("bt,cft->bfc", steady, flat)
-    design[:, :, HEATING] = np.einsum("bt,cft->bfc", heated, flat[HEATING])
+    design[:, :, TEMPERATURE_RATE] = np.einsum("bt,cft->bfc", heated, flat[TEMPERATURE_RATE])
     return steady, design
 
 

@@ -1,15 +1,13 @@
-"""What channels tell of the mechanisms: Fisher information, Bayesian bound, confounded directions.
+"""What channels tell of the mechanisms: Fisher information, Bayesian bound.
 
 Equations are those of docs/methods/witness.md. States are changes of `mechanisms.MECHANISMS`, SI.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.witness.mechanisms import COUNT, HEATING
-from pyhrg.witness.responses import POWERS, TERMS, Motion, Responses, compute_design
+from pyhrg.witness.mechanisms import COUNT, TEMPERATURE_RATE
+from pyhrg.witness.responses import POWERS, Motion, Responses, compute_design
 
 PIECE = 20_000
 """Number of rows that are taken at once; it bounds memory. Chosen."""
@@ -18,19 +16,6 @@ SINGULAR = 1e-6
 Chosen: above the nonlinearity of states that are functions of others."""
 OUTPUT = 1
 """Number of channels of the output, which counts where the true rate is known."""
-
-
-@dataclass(frozen=True)
-class Confounded:
-    """A direction among the mechanisms, in units of their prior standard deviations.
-
-    gain: eigenvalue of S J S (docs/methods/witness.md, Eq. 7), the information of the channels over
-        that of the prior's diagonal; 0 where they carry none on this direction.
-    direction: (COUNT,) unit vector.
-    """
-
-    gain: float
-    direction: Array
 
 
 def accumulate_information(responses: Responses, motion: Motion) -> Array:
@@ -85,39 +70,7 @@ def compute_maps_response(responses: Responses, temperature: float) -> Array:
     mechanism, at a constant temperature above the reference, K."""
     powers = temperature ** np.arange(POWERS)
     maps = np.einsum("p,cpmt->cmt", powers, responses.output[:, :, :2]).reshape(COUNT, -1)
-    return np.asarray(np.where(HEATING, 0.0, maps.T))
-
-
-def compute_map_response(responses: Responses, temperature: float) -> Array:
-    """(TERMS, COUNT) the same of the bias map alone."""
-    return compute_maps_response(responses, temperature)[:TERMS]
-
-
-def compute_map_deviation(responses: Responses, covariance: Array, temperature: float) -> float:
-    """Standard deviation of the bias map, rms over the circumference, rad/s (Eq. 6)."""
-    variance = _compute_map_variance(responses, covariance, temperature)
-    return float(np.sqrt(variance[0] + variance[1:].sum() / 2))
-
-
-def compute_mean_deviation(responses: Responses, covariance: Array, temperature: float) -> float:
-    """Standard deviation of the bias map's mean, rad/s."""
-    return float(np.sqrt(_compute_map_variance(responses, covariance, temperature)[0]))
-
-
-def rank_directions(prior: Array, information: Array) -> list[Confounded]:
-    """Directions among the mechanisms, from what the channels tell best to what they tell least
-    (Eq. 7): singular vectors of the channels' sensitivities in units of noise and of the prior."""
-    scale = np.sqrt(np.diag(prior))
-    values, vectors = np.linalg.eigh(information * np.outer(scale, scale))
-    order = np.argsort(-values)
-    return [Confounded(float(max(values[i], 0.0)), vectors[:, i]) for i in order]
-
-
-def _compute_map_variance(responses: Responses, covariance: Array, temperature: float) -> Array:
-    response = compute_map_response(responses, temperature)
-    variance = np.einsum("ti,ij,tj->t", response, covariance, response)
-    assert len(variance) == TERMS
-    return np.maximum(variance, 0.0)
+    return np.asarray(np.where(TEMPERATURE_RATE, 0.0, maps.T))
 
 
 def _accumulate(sensitivities: Array, deviation: Array, motion: Motion) -> Array:

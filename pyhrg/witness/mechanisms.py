@@ -16,7 +16,7 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 
-Signal = Literal["one", "heating"]
+Signal = Literal["one", "temperature rate"]
 """Signal that a mechanism acts in proportion to: constant, or rate of the case's temperature,
 K/s."""
 
@@ -96,12 +96,14 @@ MECHANISMS = (
     _name_field("pick-off gain per kelvin", 1e-6, "pickoff_gain_per_kelvin"),
     _name_field("phase error per kelvin", 1e-5, "phase_per_kelvin"),
     _name_field("pick-off cubic", 1e-4, "pickoff_cubic"),
-    _name_field("bias per rate of temperature", 1e-6, "bias_per_temperature_rate", "heating"),
+    _name_field(
+        "bias per rate of temperature", 1e-6, "bias_per_temperature_rate", "temperature rate"
+    ),
 )
 """The states of the estimate, in this order."""
 NAMES = tuple(each.name for each in MECHANISMS)
 COUNT = len(MECHANISMS)
-HEATING = np.array([each.signal == "heating" for each in MECHANISMS])
+TEMPERATURE_RATE = np.array([each.signal == "temperature rate" for each in MECHANISMS])
 """Which mechanisms act by the rate of the case's temperature."""
 THERMAL = np.array(["per kelvin" in name for name in NAMES])
 """Which mechanisms act by the temperature of the resonator above the reference."""

@@ -43,21 +43,21 @@ def make_drift_prior(
     device: Device,
     age: float,
     ageing_share: float,
-    leakage: float,
-    heating: float = 0.0,
+    decay_time_loss: float,
+    temperature_rate_bias: float = 0.0,
     cubic: float = CUBIC_DRIFT,
 ) -> Prior:
     """Changes of a device by ageing and by another turn-on.
 
     age: time since the calibration, s; ageing_share: standard deviation of the change in a year of
     damping anisotropy, pick-offs and drives, as a share of each, growing with the root of time;
-    leakage: largest share of the decay time that is lost in a year, uniform from 0; heating:
-    standard deviation of the bias per rate of temperature, rad/K, whose mean is the device's own,
-    because a replay leaves it out; cubic: standard deviation of the change of the pick-offs' cubic
-    term. What the device states of its turn-on to turn-on scatter is added
-    (`Device.turn_on_scatter`).
+    decay_time_loss: largest share of the decay time that is lost in a year, uniform from 0;
+        temperature_rate_bias: standard deviation of the bias per rate of temperature, rad/K, whose
+        mean is the device's own, because a replay leaves it out; cubic: standard deviation of the
+        change of the pick-offs' cubic term. What the device states of its turn-on to turn-on
+        scatter is added (`Device.turn_on_scatter`).
     """
-    share, lost = ageing_share * math.sqrt(age / YEAR), leakage * age / YEAR
+    share, lost = ageing_share * math.sqrt(age / YEAR), decay_time_loss * age / YEAR
     pickoff = math.hypot(device.pickoff_gain_mismatch, device.pickoff_nonorthogonality)
     drive = math.hypot(device.drive_gain_mismatch, device.drive_nonorthogonality)
     deviation = np.zeros(COUNT)
@@ -69,7 +69,7 @@ def make_drift_prior(
     decay = find("decay time, relative")
     mean[decay], deviation[decay] = -lost / 2, lost / math.sqrt(12)
     rate = find("bias per rate of temperature")
-    mean[rate], deviation[rate] = device.bias_per_temperature_rate, heating
+    mean[rate], deviation[rate] = device.bias_per_temperature_rate, temperature_rate_bias
     deviation[find("pick-off cubic")] = cubic
     aged = _carry_warm_damping(device, np.diag(deviation**2))
     return Prior(mean, aged + compute_turn_on_covariance(device))

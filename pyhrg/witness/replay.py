@@ -191,13 +191,13 @@ def _compare(
             course.rate,
             witnesses.virtual_rotation,
             course.temperature,
-            _compute_heating(course, device, witnesses.interval),
+            _compute_temperature_rate(course, device, witnesses.interval),
         ),
         following=_correct(course, device, witnesses, angle, means[:, 2]),
     )
 
 
-def _compute_heating(course: Course, device: Device, interval: float) -> Array:
+def _compute_temperature_rate(course: Course, device: Device, interval: float) -> Array:
     """(n,) rate of the case's temperature, K/s, which the resonator follows by its lag."""
     width = max(1, round(SMOOTHING / interval))
 

@@ -19,7 +19,7 @@ from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import GyroFmu, record_together
-from pyhrg.witness.mechanisms import COUNT, HEATING, MECHANISMS, THERMAL
+from pyhrg.witness.mechanisms import COUNT, MECHANISMS, TEMPERATURE_RATE, THERMAL
 
 HARMONICS = (2, 4, 6, 8)
 TERMS = 1 + 2 * len(HARMONICS)
@@ -85,7 +85,7 @@ class Motion:
 
     interval: of a row, s; angle: (n,) pattern angle in the middle of each row, rad; rate: (n,) of
     the case, rad/s; virtual_rotation: (n,) as an input rate, rad/s; temperature: (n,) of the
-    resonator above the reference, K; heating: (n,) rate of the case's temperature, K/s.
+    resonator above the reference, K; temperature_rate: (n,) rate of the case's temperature, K/s.
     """
 
     interval: float
@@ -93,7 +93,7 @@ class Motion:
     rate: Array
     virtual_rotation: Array
     temperature: Array
-    heating: Array
+    temperature_rate: Array
 
     def take(self, rows: slice) -> "Motion":
         return Motion(
@@ -102,7 +102,7 @@ class Motion:
             self.rate[rows],
             self.virtual_rotation[rows],
             self.temperature[rows],
-            self.heating[rows],
+            self.temperature_rate[rows],
         )
 
 
@@ -135,7 +135,7 @@ def compute_design(sensitivities: Array, motion: Motion) -> Array:
     flat = sensitivities.reshape(count * channels, -1)
     rows = evaluate_motion(motion).reshape(len(motion.angle), -1) @ flat.T
     design = np.moveaxis(rows.reshape(-1, count, channels), 1, 2)
-    design[:, :, HEATING] *= motion.heating[:, None, None]
+    design[:, :, TEMPERATURE_RATE] *= motion.temperature_rate[:, None, None]
     return design
 
 
@@ -150,7 +150,7 @@ def measure_responses(fmu: GyroFmu, device: Device, noise: Array | None = None) 
     cases = [(quiet, cool), (quiet, warm), (quiet, heated)]
     chambers: list[list[Chamber]] = []
     for place, mechanism in enumerate(MECHANISMS):
-        acting = [heated] if HEATING[place] else [warm] if THERMAL[place] else [cool, warm]
+        acting = [heated] if TEMPERATURE_RATE[place] else [warm] if THERMAL[place] else [cool, warm]
         chambers.append(acting)
         changed = mechanism.add(quiet, mechanism.step)
         cases += [(changed, each) for each in acting]

@@ -7,58 +7,40 @@ the effect; where a test says otherwise it says why.
 """
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H
+from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.device import device_file
 from pyhrg.device.declarations import read_declarations
 from pyhrg.device.device import Device
-from pyhrg.fmu import Gyro, GyroFmu
-from tests.driving import advance, drive
+from pyhrg.fmu import GyroFmu
+from tests.agreement.device_keys import (
+    ANGLES,
+    DW,
+    ONE,
+    SIN4,
+    SIN_SPLIT,
+    SPLIT,
+    SPLIT_AXIS,
+    TAU,
+    K,
+    gyro,
+    holds,
+    settled,
+)
+from tests.driving import advance
 
-K, TAU, HOLD = 0.277, 450.0, 5e-4
-ANGLES = np.array([7.0, 31.0, 64.0]) * DEG
-WARM = {"caseTemperature": 298.15 + 10.0}
-"""10 K above the reference."""
-SPLIT = {"frequency_split_Hz": 1e-3, "stiffness_axis_deg": 50.0}
-DW, SPLIT_AXIS = 2 * math.pi * 1e-3, 50 * DEG
+HOLD = 5e-4
 COS4 = np.cos(4 * ANGLES)
-SIN4 = np.sin(4 * ANGLES)
-SIN_SPLIT = np.sin(4 * (ANGLES - SPLIT_AXIS))
 COS_SPLIT = np.cos(4 * (ANGLES - SPLIT_AXIS))
-ONE = np.ones(3)
 MOUNTING = "misalignment"
 
 Expected = tuple[str, np.ndarray]
 """A channel, and its closed form at each angle."""
-
-
-def gyro(fmu: GyroFmu, keys: Mapping[str, float], angle: float) -> Gyro:
-    device = device_file.from_table(keys, "test")
-    return fmu.power_on(device.fmu_parameters(), seed=0, start_angle=angle)
-
-
-def settled(
-    fmu: GyroFmu, keys: Mapping[str, float], inputs: Mapping[str, float], channel: str
-) -> np.ndarray:
-    """Mean output rate (`bias`) or another output at each angle, after the loops' transient."""
-    values = []
-    for angle in ANGLES:
-        with gyro(fmu, keys, angle) as running:
-            for name, value in inputs.items():
-                running.command(name, value)
-            before = advance(running, 0.0, 20.0)
-            bias = (advance(running, 0.0, 20.0) - before) / 20.0
-            values.append(bias if channel == "bias" else running.read(channel))
-    return np.array(values)
-
-
-def holds(measured: np.ndarray, expected: np.ndarray, tolerance: float = 0.01) -> bool:
-    return bool(np.max(np.abs(measured - expected)) < tolerance * np.max(np.abs(expected)))
 
 
 AT_REST: dict[str, tuple[Mapping[str, float], Mapping[str, float], Expected]] = {
@@ -251,137 +233,11 @@ def test_sampling_skew(fmu: GyroFmu, rate: float) -> None:
     assert error == pytest.approx(expected, abs=0.01 * skew)
 
 
-WARMED: dict[str, tuple[Mapping[str, float], str, np.ndarray]] = {
-    "D (1 + c dT)": (
-        {"damping_anisotropy_per_s": 1e-6, "damping_anisotropy_per_K": 0.05},
-        "bias",
-        -0.5 * 1e-6 / (4 * K) * SIN4,
-    ),
-    "tau (1 + c dT)": ({"decay_time_per_K": -1e-4}, "amplitudeForce", 1e-3 / TAU * ONE),
-    "phase with split": (
-        {**SPLIT, "phase_rad_per_K": 1e-4},
-        "bias",
-        -DW * 1e-3 / (4 * K) * SIN_SPLIT,
-    ),
-    "pick-off gain": ({"pickoff_gain_per_K": 1e-5}, "bias", 1e-4 / (4 * K * TAU) * SIN4),
-    "frequency": (
-        {"frequency_temperature_coefficient_per_K": 8.5e-5, "frequency_Hz": 5000.0},
-        "frequencyOffset",
-        2 * math.pi * 5000 * 8.5e-4 * ONE,
-    ),
-}
-
-
-@pytest.mark.parametrize(("keys", "channel", "change"), WARMED.values(), ids=WARMED.keys())
-def test_temperature(
-    fmu: GyroFmu, keys: Mapping[str, float], channel: str, change: np.ndarray
-) -> None:
-    """What 10 K change, once the resonator has followed the case."""
-    lagging = {**keys, "thermal_lag_s": 1.0}
-    warm = settled(fmu, lagging, WARM, channel)
-    assert holds(warm - settled(fmu, lagging, {}, channel), change)
-
-
-def test_reference_temperature_and_lag(fmu: GyroFmu) -> None:
-    """Nothing happens at it; after one lag at 10 K above it, 1 - 1/e of the change has come."""
-    keys = {
-        "reference_temperature_degC": 40.0,
-        "frequency_temperature_coefficient_per_K": 8.5e-5,
-        "thermal_lag_s": 30.0,
-    }
-    with gyro(fmu, keys, 0.1) as running:
-        advance(running, 0.0, 20.0)
-        assert abs(running.read("frequencyOffset")) < 1e-6
-        running.command("caseTemperature", 313.15 + 10.0)
-        advance(running, 0.0, 30.0)
-        assert running.read("frequencyOffset") == pytest.approx(
-            2 * math.pi * 7000 * 8.5e-4 * (1 - math.exp(-1)), rel=1e-3
-        )
-
-
-def test_temperature_rate_bias(fmu: GyroFmu) -> None:
-    """0.5 deg/h per K/min at 3 K/min: 1.5 deg/h, the case warming in steps of 10 ms."""
-    with gyro(fmu, {"bias_deg_h_per_K_min": 0.5}, 0.1) as running:
-        advance(running, 0.0, 10.0)
-        before = running.read("gyroAngle")
-        for step in range(1, 1001):
-            running.command("caseTemperature", 298.15 + 3 / 60 * 0.01 * step)
-            advance(running, 0.0, 0.01)
-        bias = (running.read("gyroAngle") - before) / 10.0
-    assert bias == pytest.approx(1.5 * DEG_PER_H, rel=0.01)
-
-
-@pytest.mark.parametrize("loop", ["amplitude_loop_rad_s", "quadrature_loop_rad_s"])
-def test_loops_are_critically_damped_at_their_frequency(fmu_path: Path, loop: str) -> None:
-    """In HRG; the loops of HRGSlow are at rest. A step of the set point of 1e-3 leaves
-    (1 - w t) exp(-w t) of it as error (PI, critically damped: the zero overshoots once, at
-    t = 1/w it crosses), to 2 % of the step."""
-    w = 3.0
-    keys = {loop: w} | ({"residual_quadrature": 1e-3} if loop.startswith("quad") else {})
-    output = "quadrature" if loop.startswith("quad") else "amplitude"
-    aim = 1e-3 if loop.startswith("quad") else 1.0 + 1e-3
-    with gyro(GyroFmu(fmu_path), keys, 0.1) as running:
-        if output == "amplitude":
-            running.command("amplitudeSetpoint", aim)
-        for _ in range(20):
-            advance(running, 0.0, 0.1)
-            t = running.time
-            error = aim - running.read(output)
-            assert error == pytest.approx(1e-3 * (1 - w * t) * math.exp(-w * t), abs=2e-5)
-
-
-def test_quantum(fmu: GyroFmu) -> None:
-    """Every output is a multiple of it, and within half of it of the same gyro without it."""
-    q = 0.5 * ARCSEC
-    rates = np.full(500, 1e-4)
-    with gyro(fmu, {"quantum_arcsec": 0.5}, 0.1) as rounded, gyro(fmu, {}, 0.1) as plain:
-        steps, smooth = drive(rounded, rates, 0.01) / q, drive(plain, rates, 0.01) / q
-    assert np.max(np.abs(steps - np.round(steps))) < 1e-6
-    assert np.max(np.abs(steps - smooth)) <= 0.5 + 1e-6
-    assert np.ptp(steps) > 100
-
-
-def deviation_of_means(running: Gyro) -> float:
-    advance(running, 0.0, 5.0)
-    return float(np.std(np.diff(drive(running, np.zeros(401), 1.0)), ddof=1))
-
-
-def deviation_of_angles(running: Gyro) -> float:
-    advance(running, 0.0, 1.0)
-    return float(np.std(drive(running, np.zeros(400), 0.1), ddof=1))
-
-
-@pytest.mark.parametrize(
-    ("keys", "measure", "expected"),
-    [
-        ({"angle_random_walk_deg_sqrt_h": 1e-3}, deviation_of_means, 1e-3 * DEG_PER_SQRT_H),
-        ({"angle_white_noise_arcsec": 0.2}, deviation_of_angles, 0.2 * ARCSEC),
-    ],
-)
-def test_white_noises(
-    fmu: GyroFmu, keys: Mapping[str, float], measure: Callable[[Gyro], float], expected: float
-) -> None:
-    """Of 400 values, input-referred, within 3.5 sigma (12 %)."""
-    with gyro(fmu, keys, 0.2) as running:
-        assert measure(running) == pytest.approx(expected, rel=3.5 / math.sqrt(2 * 400))
-
-
-def test_slow_noises_are_the_coefficients_of_ieee_952() -> None:
-    """K deg/h/sqrt(h), B deg/h in SI; what the FMU makes of them is tested in `test_noise`."""
-    keys = {"rate_random_walk_deg_h_sqrt_h": 0.02, "bias_instability_deg_h": 0.003}
-    assert device_file.from_table(keys, "test").fmu_parameters() == pytest.approx(
-        {
-            "noise.rateRandomWalk": 0.02 * DEG / 3600 / 60,
-            "noise.biasInstability": 0.003 * DEG / 3600,
-        },
-        abs=0.0,
-    )
-
-
 def test_every_effect_has_its_test_here() -> None:
-    """Each key whose parameter a diagnosis may name is put to the FMU above, but for misalignment,
-    which the FMU does not have."""
-    text = Path(__file__).read_text(encoding="utf-8")
+    """Each key whose parameter a diagnosis may name is put to the FMU here or by one of the files
+    named after devices beside, but for misalignment, which the FMU does not have."""
+    files = sorted(Path(__file__).parent.glob("*device*.py"))
+    text = "".join(file.read_text(encoding="utf-8") for file in files)
     declared = read_declarations(Device)
     keys = {d.keys[0] for name, d in declared.items() if (d.effect or d.noise) and name != MOUNTING}
     assert {key for key in keys if f'"{key}"' not in text} == set()

@@ -10,8 +10,10 @@ import numpy as np
 
 import ins_eval
 import pyhrg
+from fmu_build import check_fmu
 from fmu_build.bundle import build_fmu
-from fmu_build.check import report
+from fmu_build.check import fmu_checks
+from fmu_build.check.system import system_checks
 from ins_eval.imu.specification import load_imu
 from ins_eval.trajectories.catalogue import load_trajectory
 from pyhrg.device.device_file import from_table
@@ -22,6 +24,7 @@ from pyhrg.gap.static_record.record import read_static_record
 from pyhrg.records import read_log, write_log
 from pyhrg.records.campaign import Campaign, Test, read_campaign, write_campaign
 from pyhrg.records.campaign_import import draft_mapping, import_campaign
+from tests.fmu_build.check.two_fmus import write as write_system
 from tests.fuzzing.mutations import ARCHIVE, BYTES, DOCUMENT, TABLE
 from tests.fuzzing.results import RESULTS
 from tests.fuzzing.sample import Sample
@@ -97,10 +100,17 @@ def _write_fmu(folder: Path) -> None:
     (folder / "HRG.fmu").write_bytes(build_fmu().read_bytes())
 
 
-def _check_fmu(folder: Path) -> None:
+def _check(name: str) -> Callable[[Path], object]:
     """All rules, FMPy's validation and the plan of the run; importers are other people's."""
-    with patch.object(report, "IMPORTERS", ()):
-        report.check_fmu(folder / "HRG.fmu")
+
+    def check(folder: Path) -> None:
+        with (
+            patch.object(fmu_checks, "IMPORTERS", ()),
+            patch.object(system_checks, "IMPORTERS", ()),
+        ):
+            check_fmu(folder / name)
+
+    return check
 
 
 MISSIONS = "ins_eval.trajectories.missions"
@@ -191,7 +201,8 @@ SAMPLES = {
     "log that a mapping is drafted for": Sample(
         _write_imu, *("log.csv", TABLE), lambda folder: draft_mapping([folder / "log.csv"], folder)
     ),
-    "FMU": Sample(_write_fmu, "HRG.fmu", ARCHIVE, _check_fmu),
+    "FMU": Sample(_write_fmu, "HRG.fmu", ARCHIVE, _check("HRG.fmu")),
+    "SSP": Sample(write_system, "two.ssp", ARCHIVE, _check("two.ssp")),
     **RESULTS,
 }
 """Formats by their names."""

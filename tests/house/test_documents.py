@@ -1,6 +1,8 @@
 """Python in README and docs runs as it stands there; commands and paths in them exist."""
 
 import re
+from contextlib import suppress
+from importlib import import_module
 from pathlib import Path
 
 import matplotlib as mpl
@@ -10,7 +12,7 @@ from fmu_build import build_fmu
 from tests.modules import load_file
 
 ROOT = Path(__file__).parents[2]
-PAGES = ("README.md", "docs/fmu.md", "docs/navigation.md")
+PAGES = ("README.md", "docs/fmu.md", "docs/imus.md", "docs/navigation.md")
 
 
 @pytest.mark.parametrize("page", PAGES)
@@ -62,3 +64,26 @@ def test_commands_and_options_exist() -> None:
             count += 1
     assert wrong == []
     assert count > 40
+
+
+def find_object(name: str) -> object:
+    """What a dotted name is; raises where there is no such module or attribute."""
+    with suppress(ModuleNotFoundError):
+        return import_module(name)
+    module, _, attribute = name.rpartition(".")
+    return getattr(find_object(module), attribute)
+
+
+def test_dotted_names_exist() -> None:
+    """Modules, functions and classes that a page names; what the changelog tells is the past."""
+    wrong, count = [], 0
+    for page in (*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")):
+        text = "" if page.name == "CHANGELOG.md" else page.read_text(encoding="utf-8")
+        for name in set(re.findall(r"`((?:pyhrg|ins_eval|fmu_build)(?:\.\w+)+)[`(]", text)):
+            count += 1
+            try:
+                find_object(name)
+            except (AttributeError, ImportError):
+                wrong.append(f"{page.name}: {name}")
+    assert wrong == []
+    assert count > 30

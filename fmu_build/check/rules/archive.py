@@ -29,15 +29,6 @@ def intact(fmu: Fmu) -> Findings:
                 yield str(error)
 
 
-@rule("paths in the archive use forward slashes")
-def forward_slashes(fmu: Fmu) -> Findings:
-    """ZIP, 4.4.17.1."""
-    # ZipFile itself turns the platform's separator into a slash, so that the raw name is read
-    for entry in fmu.entries:
-        if "\\" in entry.orig_filename:
-            yield f"{entry.orig_filename} has a backslash"
-
-
 @rule("no path occurs twice or leads outside")
 def safe_paths(fmu: Fmu) -> Findings:
     """A path that an importer would write over another file."""

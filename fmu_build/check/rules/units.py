@@ -92,20 +92,3 @@ def _state_of(fmu: Fmu, variable: Variable) -> Variable | None:
         return next((v for v in fmu.variables if target and v.reference == target), None)
     number = int(target) if target.isdigit() else 0
     return fmu.variables[number - 1] if 0 < number <= len(fmu.variables) else None
-
-
-@rule("units, display units and types that variables name are defined")
-def unit_names(fmu: Fmu) -> Findings:
-    """FMI 2.0.4, 2.2.7; FMI 3.0.2, 2.4.7."""
-    units = {u.get("name"): u for u in fmu.description.findall("UnitDefinitions/Unit")}
-    for variable in fmu.variables:
-        unit, shown = (fmu.attribute(variable, key) for key in ("unit", "displayUnit"))
-        declared_type = variable.given.get("declaredType")
-        if declared_type is not None and declared_type not in fmu.types:
-            yield f"{variable.name} has the undefined type {declared_type}"
-        if unit is not None and unit not in units:
-            yield f"{variable.name} has the undefined unit {unit}"
-        elif shown is not None and unit is not None:
-            names = {d.get("name") for d in units[unit].findall("DisplayUnit")}
-            if shown not in names:
-                yield f"{variable.name} has the display unit {shown}, which {unit} doesn't define"

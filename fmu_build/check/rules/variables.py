@@ -13,16 +13,6 @@ def is_number(variable: Variable) -> bool:
     return variable.kind.startswith(NUMBERS)
 
 
-@rule("names are given once")
-def names_unique(fmu: Fmu) -> Findings:
-    """FMI 2.0.4, 2.2.7."""
-    seen: set[str] = set()
-    for variable in fmu.variables:
-        if variable.name in seen or not variable.name:
-            yield f"{variable.name or 'a variable without a name'} is there more than once"
-        seen.add(variable.name)
-
-
 @rule("value references are shared by aliases only")
 def references(fmu: Fmu) -> Findings:
     """FMI 3.0.2, 2.4.7: unique over all types. FMI 2.0.4, 2.2.7: aliases are of one type and
@@ -71,18 +61,3 @@ def nominals(fmu: Fmu) -> Findings:
         nominal = fmu.attribute(variable, "nominal")
         if nominal is not None and not float(nominal) > 0:
             yield f"{variable.name} has the nominal value {nominal}"
-
-
-@rule("what can be set has a start value, what is calculated has none")
-def starts_given(fmu: Fmu) -> Findings:
-    """FMI 2.0.4, 2.2.7; FMI 3.0.2, 2.4.7.5."""
-    for variable in fmu.variables:
-        has_start = "start" in variable.given
-        needs = variable.causality in ("input", "parameter", "structuralParameter")
-        needs |= variable.given.get("initial") in ("exact", "approx")
-        if needs and not has_start and variable.kind not in ("Clock", "String", "Binary"):
-            yield f"{variable.name} needs a start value"
-        if has_start and (
-            variable.given.get("initial") == "calculated" or variable.causality == "independent"
-        ):
-            yield f"{variable.name} is calculated and has a start value"

@@ -145,7 +145,8 @@ def reckon_until_linear(
         mat_nb = correct_attitude(mat_nb, first)
     raise HrgError(
         f"attitude still off by {np.rad2deg(np.linalg.norm(first)):.2g} deg "
-        f"after {MAX_PASSES} passes: the vehicle moved, or the coarse attitude is far off"
+        f"after {MAX_PASSES} passes: the vehicle moved, the coarse attitude is far off, or the "
+        "gyros' biases are too large to find north by"
     )
 
 

@@ -26,7 +26,7 @@ from pyhrg.witness.information import (
     accumulate_output_information,
     compute_posterior,
 )
-from pyhrg.witness.mechanisms import COUNT, HEATING, read_values
+from pyhrg.witness.mechanisms import COUNT, TEMPERATURE_RATE, read_values
 from pyhrg.witness.prior import Prior, compute_turn_on_covariance, make_drift_prior
 from pyhrg.witness.responses import Motion, Responses, measure_responses
 
@@ -70,9 +70,14 @@ def make_study_drift(device: Device, drift: Drift) -> Prior:
     """Distribution of what changes from calibration to flight, and of the sensitivity to the rate
     of temperature, which no bench measures."""
     unmeasured = replace(device, bias_per_temperature_rate=0.0)
-    heating = BIAS_PER_KELVIN * WARM_UP
+    warming_bias = BIAS_PER_KELVIN * WARM_UP
     return make_drift_prior(
-        unmeasured, drift.age, AGEING_SHARE, LARGEST_LEAKAGE, heating=heating, cubic=0.0
+        unmeasured,
+        drift.age,
+        AGEING_SHARE,
+        LARGEST_LEAKAGE,
+        temperature_rate_bias=warming_bias,
+        cubic=0.0,
     )
 
 
@@ -81,7 +86,7 @@ def compute_population_covariance(population: Population) -> Array:
     """(COUNT, COUNT) covariance of the mechanisms of a population, which are uncorrelated, SI."""
     generator = np.random.default_rng(0)
     values = [read_values(population.draw(generator)) for _ in range(DRAWS)]
-    return np.diag(np.where(HEATING, 0.0, np.var(values, axis=0)))
+    return np.diag(np.where(TEMPERATURE_RATE, 0.0, np.var(values, axis=0)))
 
 
 def measure_bench(responses: Responses, device: Device, plan: BenchPlan) -> Array:

@@ -21,7 +21,6 @@ from ins_eval.study.report.figures.parts import make_fold, name_calibration
 from ins_eval.study.report.figures.phase import render_phase_diagram
 from ins_eval.study.report.lead_case import read_lead_case
 from ins_eval.study.report.own_gyro import render_own_gyro
-from ins_eval.study.report.witnesses import make_witness_section
 from ins_eval.study.specification import TEST
 from ins_eval.study.study_data import (
     CONDITIONS_KEY,
@@ -34,6 +33,7 @@ from ins_eval.study.tables import columns as c
 from ins_eval.study.tables import score
 from ins_eval.study.tables.columns import COLUMNS
 from ins_eval.study.tables.score import ALL, MEDIAN_RATIO, R2_RADIAL, SPEARMAN, Score
+from ins_eval.study.witness.judge import WitnessScore, list_figures
 from pyhrg.common.files import stage_files
 from pyhrg.common.pages.markup import (
     PageSection,
@@ -106,7 +106,7 @@ def make_sections(data: StudyData) -> list[PageSection]:
         PageSection("ranking", "Ranking of gyros", _render_ranking(data)),
         PageSection("coverage", "Intervals and their coverage", _render_coverage(data)),
         PageSection("breaks", "Conditions in which claims fail", render_conditions(data)),
-        *make_witness_section(data),
+        *_make_witness_section(data),
         PageSection("phase", "Where each test tells the truth", render_phase_diagram(data)),
         PageSection("budget", "Error budget", _render_budget(data)),
         PageSection("control", "Negative control", _render_control(data)),
@@ -172,6 +172,23 @@ def _render_control(data: StudyData) -> str:
         render_matrices(data, key, axis, shuffled=True)
         for key, axis in ((score.SPEARMAN, CORRELATION), (score.R2_COMPONENTS, R2))
     )
+
+
+def _make_witness_section(data: StudyData) -> list[PageSection]:
+    """One section where a study has read channels, else none."""
+    scores = [WitnessScore(**each) for each in data.about.get(WITNESS_KEY, [])]
+    if not scores:
+        return []
+    lead = (
+        "Forces, frequency and pattern angle of each gyro were recorded in flight. They tell how "
+        "far its map has drifted since the bench. R2 is that of the horizontal error; a corrected "
+        "flight is the same record, navigated after the told maps were taken out. The control has "
+        "the channels of another triad."
+    )
+    header = ("calibration", "class", "self-test", "score", "value (95 %)", "triads")
+    table = make_wide_table(Table("Self-witness", header, list_figures(scores)))
+    title = "What the gyros tell of themselves"
+    return [PageSection("witness", title, make_paragraph(lead) + table)]
 
 
 def _render_method(data: StudyData) -> str:

@@ -39,18 +39,19 @@ class FlightGroup:
 
 
 def group_flights(table: pd.DataFrame) -> Iterator[FlightGroup]:
-    """Groups by calibration and role: all classes together, then each class.
+    """Groups by calibration and role: all classes together, then each class; as `make_group`."""
+    for (calibration, role), rows in table.groupby([columns.CALIBRATION, columns.ROLE]):
+        yield make_group(str(calibration), ALL, str(role), rows)
+        for name, part in rows.groupby(columns.CLASS):
+            yield make_group(str(calibration), str(name), str(role), part)
+
+
+def make_group(calibration: str, mission_class: str, role: str, rows: pd.DataFrame) -> FlightGroup:
+    """The group of these flights.
 
     Raises:
         ValueError: a triad lacks a mission, or has one twice.
     """
-    for (calibration, role), rows in table.groupby([columns.CALIBRATION, columns.ROLE]):
-        yield _make_group(str(calibration), ALL, str(role), rows)
-        for name, part in rows.groupby(columns.CLASS):
-            yield _make_group(str(calibration), str(name), str(role), part)
-
-
-def _make_group(calibration: str, mission_class: str, role: str, rows: pd.DataFrame) -> FlightGroup:
     ordered = rows.sort_values([columns.TRIAD, columns.MISSION], kind="stable")
     missions = tuple(sorted(set(ordered[columns.MISSION])))
     flown = ordered[columns.MISSION].to_numpy()

@@ -4,15 +4,16 @@ Equations: docs/methods/witness.md, "Judged".
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 import pandas as pd
 
 from ins_eval.study.scores import measures
 from ins_eval.study.scores.coverage import estimate_coverage
+from ins_eval.study.scores.groups import FlightGroup, make_group
 from ins_eval.study.scores.resampling import Estimate, Statistic, bootstrap, shuffle_devices
+from ins_eval.study.specification import TEST
 from ins_eval.study.tables.score import ALL
 from pyhrg.common.arrays import Array
 
@@ -54,9 +55,6 @@ class WitnessScore:
     high: float
     n: int
 
-    def describe(self) -> dict[str, Any]:
-        return asdict(self)
-
 
 def score_witnesses(flights: pd.DataFrame, seed: int) -> list[WitnessScore]:
     """Scores by calibration, self-test and class, all classes first.
@@ -67,7 +65,7 @@ def score_witnesses(flights: pd.DataFrame, seed: int) -> list[WitnessScore]:
     for (calibration, test), rows in flights.groupby(["calibration", "self_test_s"]):
         parts = [(ALL, rows), *rows.groupby("mission_class", sort=False)]
         for name, part in parts:
-            group = _Group(part)
+            group = make_group(str(calibration), str(name), TEST, part)
             for score, of, estimate in _score(group, seed):
                 values = estimate.value, estimate.low, estimate.high
                 place = str(calibration), str(name), float(test)
@@ -75,23 +73,7 @@ def score_witnesses(flights: pd.DataFrame, seed: int) -> list[WitnessScore]:
     return found
 
 
-class _Group:
-    """Flights of r triads in m missions."""
-
-    def __init__(self, rows: pd.DataFrame) -> None:
-        self._rows = rows.sort_values(["triad", "mission"], kind="stable")
-        self.triads = int(rows["triad"].nunique())
-
-    def select(self, name: str) -> Array:
-        """(r, m) values."""
-        return np.asarray(self._rows[name].to_numpy(float).reshape(self.triads, -1))
-
-    def select_pair(self, name: str) -> Array:
-        """(r, m, 2) errors north and east, m."""
-        return np.stack([self.select(f"{name}_{axis}_m") for axis in ("north", "east")], axis=-1)
-
-
-def _score(group: _Group, seed: int) -> Iterator[tuple[str, str, Estimate]]:
+def _score(group: FlightGroup, seed: int) -> Iterator[tuple[str, str, Estimate]]:
     flown = group.select_pair("flown")
     radial = np.linalg.norm(flown, axis=-1)
 

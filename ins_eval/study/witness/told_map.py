@@ -29,7 +29,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.witness.mechanisms import COUNT as MECHANISMS
-from pyhrg.witness.mechanisms import HEATING, change_device
+from pyhrg.witness.mechanisms import TEMPERATURE_RATE, change_device
 from pyhrg.witness.responses import POWERS, Responses, measure_channels
 
 OUTPUT, MAPS = 2, slice(0, 2)
@@ -66,7 +66,7 @@ def tell_map(
     mean = np.zeros(COUNT)
     maps = channels[OUTPUT, :, MAPS].reshape(POWERS, -1) * _warm(rise)[:, None]
     mean[: maps.size] = maps.ravel()
-    mean[HEATED] = response[HEATED][:, HEATING] @ changes[HEATING]
+    mean[HEATED] = response[HEATED][:, TEMPERATURE_RATE] @ changes[TEMPERATURE_RATE]
     return ToldMap(mean, response @ covariance @ response.T)
 
 
@@ -76,8 +76,8 @@ def respond(responses: Responses, rise: float) -> Array:
     maps = responses.output[:, :, MAPS].reshape(MECHANISMS, POWERS, -1) * _warm(rise)[:, None]
     response = np.zeros((COUNT, MECHANISMS))
     steady = maps.reshape(MECHANISMS, -1).T
-    response[: len(steady)] = np.where(HEATING, 0.0, steady)
-    response[HEATED] = np.where(HEATING, rise * maps[:, 0].T, 0.0)
+    response[: len(steady)] = np.where(TEMPERATURE_RATE, 0.0, steady)
+    response[HEATED] = np.where(TEMPERATURE_RATE, rise * maps[:, 0].T, 0.0)
     return response
 
 

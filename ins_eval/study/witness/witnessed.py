@@ -25,7 +25,7 @@ from pyhrg.device.fmu_parameters import FMU_FIELDS
 from pyhrg.fmu import GyroFmu
 from pyhrg.witness.fit import FittedChanges, Flown, fit_changes
 from pyhrg.witness.information import compute_normalized_square
-from pyhrg.witness.mechanisms import HEATING, read_values
+from pyhrg.witness.mechanisms import TEMPERATURE_RATE, read_values
 from pyhrg.witness.replay import Witnesses
 
 
@@ -63,7 +63,7 @@ def read_true_changes(device: Device, flight: Flight) -> Array:
     flown = replace(flight.device, **drawn)
     changes = read_values(flown) - read_values(device)
     # what acts by the rate of temperature is absolute, because a replay leaves it out
-    return np.where(HEATING, read_values(flown), changes)
+    return np.where(TEMPERATURE_RATE, read_values(flown), changes)
 
 
 def witness_triad(

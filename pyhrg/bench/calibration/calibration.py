@@ -26,10 +26,10 @@ from pyhrg.bench.calibration.calibration_maps import (
 )
 from pyhrg.bench.figures import COLOURS, finish_axes
 from pyhrg.bench.outcome import Finding, Outcome, estimate_mean
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.readings.segments import Points
 from pyhrg.bench.scale_factor import scale_factor
-from pyhrg.bench.scale_factor.scale_factor import SCALE, list_turn_exclusions, make_turn_power_ons
+from pyhrg.bench.scale_factor.scale_factor import SCALE, list_unused_turns, make_turn_power_ons
 from pyhrg.common.units import DEG, DEG_PER_H, PPM
 from pyhrg.device.device import Device
 from pyhrg.records.campaign import Campaign, Test
@@ -43,7 +43,11 @@ RATE = 15 * DEG
 """Rate of the turns, rad/s: fast enough that the random walk hardly disturbs the angle."""
 PERIODS = 8
 """Periods of a turn each way: over seven turns of the table its tilt separates from the bias."""
-KINDS = (full_circumference.KIND, scale_factor.KIND)
+KINDS = tuple(
+    f"{kind}{stage}"
+    for stage in ("", *(f"_{name}" for name in STAGES))
+    for kind in (full_circumference.KIND, scale_factor.KIND)
+)
 
 
 def record(
@@ -97,7 +101,11 @@ def evaluate(campaign: Campaign) -> Outcome:
         ),
         verdict=_verdict({f.name: f for group in findings for f in group}),
         warnings=found.refused if "after" in results else (*found.refused, missing),
-        exclusions=tuple(text for tests in measured.values() for text in _exclusions(tests)),
+        exclusions=tuple(
+            text
+            for tests in measured.values()
+            for text in list_unused_turns(tests, scale_factor.KIND)
+        ),
         draw=lambda figure: draw(figure, results),
         values={
             "bias_map": asdict(make_angle_map(found.bias_map)),
@@ -105,12 +113,6 @@ def evaluate(campaign: Campaign) -> Outcome:
             "scale_factor": found.scale_factor,
         },
     )
-
-
-def _exclusions(tests: Campaign) -> tuple[str, ...]:
-    """Only a rate test is asked for whole periods: between positions the table turns less."""
-    positions = require_tests(tests, full_circumference.KIND)
-    return (*list_exclusions(positions), *list_turn_exclusions(tests, scale_factor.KIND))
 
 
 def find_residual_variation(

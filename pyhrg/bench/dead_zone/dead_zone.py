@@ -18,7 +18,7 @@ from pyhrg.bench.dead_zone.lock import FOURTH, Run, fit_turning, is_turning, rea
 from pyhrg.bench.estimation.harmonics import MEAN, Fit
 from pyhrg.bench.estimation.sizes import estimate_amplitude
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests, select_tests
+from pyhrg.bench.procedure import Procedure, require_tests, select_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.output_rows import read_bryan_factor
 from pyhrg.common.units import DEG, DEG_PER_H, HOUR
@@ -136,7 +136,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         verdict=_verdict(plain, lock, capture),
         tables=(free_runs.tabulate_runs(everything, fitted, lock.si_value),) if everything else (),
         warnings=tuple(refused),
-        exclusions=(*list_exclusions(tests), *chain(*excluded)),
+        exclusions=tuple(chain(*excluded)),
         draw=lambda figure: free_runs.draw(figure, plain, by_force, fitted, lock.si_value),
         values={"capture_time": capture},
     )

@@ -14,7 +14,7 @@ from scipy import stats
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_mean
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
@@ -165,7 +165,6 @@ def evaluate(campaign: Campaign) -> Outcome:
             f"sees {half / 1e-3:g} ms more on average."
         ),
         tables=(Table("Frequency response", header, rows),),
-        exclusions=list_exclusions(tests),
         draw=lambda figure: draw(figure, response),
     )
 

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.plateaus import find_plateaus
 from pyhrg.common.pages.markup import Table
@@ -166,7 +166,6 @@ def evaluate(campaign: Campaign) -> Outcome:
         ),
         tables=tables,
         warnings=(NO_VALIDITY,) if unseen else (),
-        exclusions=list_exclusions(tests),
         draw=lambda figure: draw(figure, both),
     )
 

@@ -16,7 +16,7 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS
 from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.site import Site
@@ -128,7 +128,6 @@ def evaluate(campaign: Campaign) -> Outcome:
         ),
         tables=(Table("Power-ons", ("run", "valid, s", "to specification, s"), tuple(rows)),),
         warnings=_list_warnings(tests, runs),
-        exclusions=list_exclusions(tests),
         draw=lambda figure: draw(figure, runs),
     )
 

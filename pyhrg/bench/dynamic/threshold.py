@@ -17,7 +17,7 @@ from scipy import stats
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.plateaus import Plateau, find_plateaus
 from pyhrg.common.pages.markup import Table
@@ -167,7 +167,6 @@ def evaluate(campaign: Campaign) -> Outcome:
             f"dwells last {longest:.4g} s: a dead zone by damping anisotropy captures the pattern "
             "within 1/D, so that one with 1/D longer than that is not seen here",
         ),
-        exclusions=list_exclusions(tests),
         draw=lambda figure: draw(figure, responses),
     )
 

@@ -15,7 +15,7 @@ from pyhrg.bench.identification import rate_reversal
 from pyhrg.bench.identification.identification_figure import draw_terms
 from pyhrg.bench.identification.rate_reversal import EIGHTH, GAIN, SCALE, SKEW
 from pyhrg.bench.outcome import BenchError, Outcome
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.readings import output_rows
 from pyhrg.bench.readings.output_rows import BIAS_TERMS, Rows, Terms
 from pyhrg.common.units import DEG
@@ -108,7 +108,6 @@ def evaluate(campaign: Campaign) -> Outcome:
             "pick-offs (eighth harmonic); the rest of the eighth harmonic is neither."
         ),
         warnings=tuple(warnings),
-        exclusions=list_exclusions(require_tests(campaign, KIND)),
         draw=lambda figure: draw_terms(figure, title, stretches, output, labels),
     )
 

@@ -17,7 +17,7 @@ from pyhrg.bench.estimation.sizes import estimate_anisotropy, make_component_fin
 from pyhrg.bench.figures import COLOURS, finish_axes
 from pyhrg.bench.identification.virtual_rotation import WAYS, make_programme
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.readings.output_rows import Rows, Terms, fit_terms, require_steady_rows
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
@@ -101,7 +101,6 @@ def evaluate(campaign: Campaign) -> Outcome:
             "Quadrature force and loop frequency give the split and its axis (against the "
             "pick-offs' axes); the amplitude force gives the sum of damping and electrodes alone."
         ),
-        exclusions=list_exclusions(require_tests(campaign, *KINDS)),
         draw=lambda figure: draw(figure, [force, frequency]),
         values={"terms": force.fit.terms},
     )

@@ -13,7 +13,7 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.row_fit import Part
 from pyhrg.bench.figures import COLOURS, finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings import output_rows
 from pyhrg.bench.readings.output_rows import Rows, Terms
@@ -111,7 +111,6 @@ def evaluate(campaign: Campaign) -> Outcome:
             "is 1. How large the phase error is, no test at rest can say by itself."
         ),
         warnings=tuple(terms.refused.values()),
-        exclusions=list_exclusions(require_tests(campaign, KIND)),
         draw=lambda figure: draw(figure, terms, stretches),
     )
 

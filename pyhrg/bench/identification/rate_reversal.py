@@ -13,7 +13,7 @@ import numpy as np
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.identification.identification_figure import draw_terms
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.readings import output_rows
 from pyhrg.bench.readings.output_rows import BIAS_TERMS, Rows, Terms
 from pyhrg.common.arrays import Array
@@ -111,7 +111,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             "which this test can't say whether damping, drives or pick-offs make it."
         ),
         warnings=tuple(terms.refused.values()),
-        exclusions=(*list_exclusions(require_tests(campaign, KIND)), *left_out),
+        exclusions=tuple(left_out),
         draw=lambda figure: draw_terms(figure, title, stretches, terms, labels),
         values={"terms": terms.fit.terms},
     )

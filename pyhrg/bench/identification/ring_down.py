@@ -22,7 +22,7 @@ from pyhrg.bench.figures import COLOURS
 from pyhrg.bench.identification import free_decay, rate_reversal
 from pyhrg.bench.identification.free_decay import TERMS, Decay, Gyro
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.output_rows import SHORTEST_ROWS, TRANSIENT, read_bryan_factor
 from pyhrg.common.units import ARCSEC, DEG
@@ -130,7 +130,6 @@ def evaluate(campaign: Campaign) -> Outcome:
             "(q0/a would add 2 q0/a times the split), tilt of the input axis."
         ),
         warnings=tuple(_list_warnings(found, gyro, free_decay.describe_shell(fit.values).split)),
-        exclusions=list_exclusions(require_tests(campaign, KIND)),
         draw=lambda figure: draw(figure, found, fit, gyro),
         values={"terms": fit.terms},
     )

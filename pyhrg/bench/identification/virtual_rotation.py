@@ -10,7 +10,7 @@ import numpy as np
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.identification.identification_figure import draw_terms
 from pyhrg.bench.outcome import BenchError, Outcome
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings import output_rows
 from pyhrg.bench.readings.output_rows import BIAS_TERMS, Rows
@@ -76,7 +76,6 @@ def evaluate(campaign: Campaign) -> Outcome:
             "test mixes them with; the pick-offs' own share is in the rate test."
         ),
         warnings=tuple(terms.refused.values()),
-        exclusions=list_exclusions(tests),
         draw=lambda figure: draw_terms(figure, title, stretches, terms, labels),
         values={"terms": terms.fit.terms},
     )

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import Finding, Outcome
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.noise_records import Noise, fit_noise_of_tests
 from pyhrg.bench.readings.segments import WARM_UP
@@ -57,7 +57,7 @@ def record(bench: Bench) -> list[Test]:
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Coefficients without and with virtual rotation, and how much worse it makes the walk."""
-    tests = require_tests(campaign, *KINDS)
+    require_tests(campaign, *KINDS)
     off, on = (fit_noise_of_tests(campaign, kind, kind == ROTATING_KIND) for kind in KINDS)
     ratio = _ratio(off, on)
     states = {state: noise for state, noise in (("without", off), ("with", on)) if noise}
@@ -65,10 +65,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         findings=(*_findings(off, ""), *_findings(on, " under virtual rotation"), ratio),
         verdict=_verdict(off, on, ratio),
         warnings=tuple(text for noise in states.values() for text in _warnings(noise)),
-        exclusions=(
-            *list_exclusions(tests),
-            *(text for noise in states.values() for text in noise.exclusions),
-        ),
+        exclusions=tuple(text for noise in states.values() for text in noise.exclusions),
         draw=lambda figure: draw(figure, states),
     )
 

@@ -156,7 +156,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             f"{asymmetry.value:.2g} ppm."
         ),
         tables=(Table("Rates, means of all power-ons", header, rows),),
-        exclusions=scale_factor.list_turn_exclusions(campaign, KIND),
+        exclusions=scale_factor.list_unused_turns(campaign, KIND),
         draw=lambda figure: draw(figure, lines),
     )
 

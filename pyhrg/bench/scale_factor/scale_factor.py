@@ -22,7 +22,7 @@ from pyhrg.bench.estimation.angle_fit import AngleFit, Record, compute_largest_i
 from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, TILT, name_terms
 from pyhrg.bench.estimation.sizes import estimate_magnitude
 from pyhrg.bench.outcome import BenchError, Finding
-from pyhrg.bench.procedure import list_exclusions, require_tests
+from pyhrg.bench.procedure import require_tests
 from pyhrg.bench.readings.turns import PERIOD, Turn, find_turns, list_short_turns
 from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
@@ -55,12 +55,10 @@ def read_rate_turns(campaign: Campaign, slow: bool) -> list[Turn]:
     return chosen
 
 
-def list_turn_exclusions(campaign: Campaign, *kinds: str) -> tuple[str, ...]:
-    """A sentence on each part of the logs of these kinds that is not used: excluded on reading, or
-    too short a turn."""
-    tests, site = require_tests(campaign, *kinds), campaign.site
-    short = (text for test in tests for text in list_short_turns(test.log, site))
-    return (*list_exclusions(tests), *short)
+def list_unused_turns(campaign: Campaign, kind: str) -> tuple[str, ...]:
+    """A sentence on each turn in the tests of a kind that is too short to be used."""
+    tests, site = require_tests(campaign, kind), campaign.site
+    return tuple(text for test in tests for text in list_short_turns(test.log, site))
 
 
 def make_turn_power_ons(bench: Bench, rate: float, periods: int, runs: int = RUNS) -> list[PowerOn]:

@@ -62,7 +62,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         verdict=_describe_verdict(fitted),
         tables=(make_period_table(fitted.turns),),
         warnings=fitted.refused,
-        exclusions=scale_factor.list_turn_exclusions(campaign, KIND),
+        exclusions=scale_factor.list_unused_turns(campaign, KIND),
         draw=lambda figure: draw(figure, fitted, residuals),
         values={"scale_factor_map": fitted.fit.terms},
     )

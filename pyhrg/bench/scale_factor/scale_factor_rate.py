@@ -98,7 +98,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         ),
         tables=(make_period_table(fitted.turns),),
         warnings=(*fitted.refused, _describe_lag(fitted, k)),
-        exclusions=scale_factor.list_turn_exclusions(campaign, KIND),
+        exclusions=scale_factor.list_unused_turns(campaign, KIND),
         draw=lambda figure: draw(figure, fitted, errors),
         values={"scale_factor_map": fitted.fit.terms},
     )

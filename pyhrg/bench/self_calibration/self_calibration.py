@@ -17,7 +17,7 @@ from pyhrg.bench.estimation import angle_fit
 from pyhrg.bench.estimation.angle_fit import AngleFit, Record
 from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_deviation, estimate_mean
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.output_rows import read_bryan_factor
 from pyhrg.bench.readings.turns import find_turns
@@ -115,7 +115,6 @@ def evaluate(campaign: Campaign) -> Outcome:
         findings=findings,
         verdict=_verdict({finding.name: finding for finding in findings}),
         warnings=(*cycles.list_warnings(on), *_crept(resting)),
-        exclusions=list_exclusions(tests),
         draw=lambda figure: draw(figure, on, off),
         values={"bias_on": bias.si_value, "virtual_rotation_gain_error": gain.si_value},
     )

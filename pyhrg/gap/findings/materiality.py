@@ -1,7 +1,7 @@
 """What an explanation leaves, and whether it matters: significance is not importance.
 
 A cause that the catalogue lacks may be there beyond doubt and still be worth nothing
-(docs/methods/verdict.md, Eqs. (9), (10)).
+(docs/methods/verdict.md, Eq. (10)).
 """
 
 import math

@@ -25,7 +25,7 @@ from pyhrg.gap.soundness.fault import compute_beyond_probability
 
 UNEXPLAINED_PROBABILITY = 0.5
 """The verdict is `unexplained` where something outside the catalogue takes part with at least this
-probability: more probable than not."""
+probability, more probable than not, and is material (`materiality`)."""
 BEYOND_PROBABILITY = 0.975
 """A known parameter is a cause where it is off by more than its tolerance with more than this
 probability: its 95 % interval lies beyond."""

@@ -134,19 +134,19 @@ def compute_separations(
             coarse = replace(bench, step=min(COARSE_STEP, power_on.programme.interval))
             test = observe_test(coarse.log(power_on), bench.device)
             parts.append(_linearize(simulation, attribution, test, sizes[0], groups))
-        designs = {}
+        designs = []
         for h in hypotheses:
             error = model_error_power(compute_excess_power(parts, h.noise))
-            designs[h.noise.angle] = discount_model_error(build_design(parts, h.noise), error)
+            designs.append(discount_model_error(build_design(parts, h.noise), error))
         sides = [
             _Side(
                 _scale_sizes(own, groups, unit),
                 np.array([g in own for g in groups for _ in unit.columns[g]], np.bool_),
                 h.noise.angle,
                 _information(h.design, groups, unit),
-                _information(designs[h.noise.angle], groups, unit) * share,
+                _information(design, groups, unit) * share,
             )
-            for own, h in zip(sizes, hypotheses, strict=True)
+            for own, h, design in zip(sizes, hypotheses, designs, strict=True)
         ]
         sigmas = {
             (i, j): _separation(a, b, share * _noise_divergences(a, b, programmes))

@@ -39,8 +39,8 @@ def compute_innovations(
     for j in range(m - 2):
         reading[j + 2] = 1.0 - rates[j]
         covariance[j + 2, j + 2] = rates[j] * densities[j] * lags[j] / 2
-    kept, integrated, added = np.ones(m), np.zeros(m), np.zeros((m, m))
-    integrated[0] = 1.0
+    decay, angle_gain, process_noise = np.ones(m), np.zeros(m), np.zeros((m, m))
+    angle_gain[0] = 1.0
     before, angle_row = covariance.copy(), np.zeros(m)
     unscaled_gain, gain = np.zeros(m), np.zeros(m)
     deviation = logarithm = log_determinant = 0.0
@@ -50,14 +50,16 @@ def compute_innovations(
             last_white, changes = white[i], True
         if steps[i] != last_step:
             last_step, changes = steps[i], True
-            _fill_transition(last_step, walks, lags, rates, densities, kept, integrated, added)
+            _fill_transition(
+                last_step, walks, lags, rates, densities, decay, angle_gain, process_noise
+            )
         if changes:
-            _predict_covariance(covariance, kept, integrated, added, angle_row)
+            _predict_covariance(covariance, decay, angle_gain, process_noise, angle_row)
             variance = _fill_gain(covariance, reading, last_white, unscaled_gain, gain)
             deviation, logarithm = np.sqrt(variance), np.log(variance)
             changes = _update_covariance(covariance, before, unscaled_gain, variance)
         log_determinant += logarithm
-        _predict_state(state, kept, integrated)
+        _predict_state(state, decay, angle_gain)
         for k in range(len(innovation)):
             innovation[k] = series[i, k] - state[0, k]
         for a in range(2, m):
@@ -80,44 +82,48 @@ def _fill_transition(
     lags: Array,
     rates: Array,
     densities: Array,
-    kept: Array,
-    integrated: Array,
-    added: Array,
+    decay: Array,
+    angle_gain: Array,
+    process_noise: Array,
 ) -> None:
     """Transition over a step and covariance of its process noise (Eqs. 4 and 5). Overwrites the
     (m,) part of each state that remains, what each adds to the angle, and the (m, m) covariance."""
     h = step
-    integrated[1] = h
-    added[0, 0] = walks[0] * h + walks[1] * h**3 / 3
-    added[0, 1] = added[1, 0] = walks[1] * h**2 / 2
-    added[1, 1] = walks[1] * h
+    angle_gain[1] = h
+    process_noise[0, 0] = walks[0] * h + walks[1] * h**3 / 3
+    process_noise[0, 1] = process_noise[1, 0] = walks[1] * h**2 / 2
+    process_noise[1, 1] = walks[1] * h
     for j in range(len(lags)):
         stays = np.exp(-h / lags[j])
-        kept[j + 2] = stays
-        integrated[j + 2] = rates[j] * lags[j] * (1 - stays)
+        decay[j + 2] = stays
+        angle_gain[j + 2] = rates[j] * lags[j] * (1 - stays)
         t, q = lags[j], densities[j]
-        added[j + 2, j + 2] = q * t / 2 * (1 - stays**2)
-        added[0, j + 2] = added[j + 2, 0] = rates[j] * q * t * t / 2 * (1 - stays) ** 2
-        added[0, 0] += rates[j] * q * t * t * (h - 2 * t * (1 - stays) + t / 2 * (1 - stays**2))
+        process_noise[j + 2, j + 2] = q * t / 2 * (1 - stays**2)
+        process_noise[0, j + 2] = process_noise[j + 2, 0] = (
+            rates[j] * q * t * t / 2 * (1 - stays) ** 2
+        )
+        process_noise[0, 0] += (
+            rates[j] * q * t * t * (h - 2 * t * (1 - stays) + t / 2 * (1 - stays**2))
+        )
 
 
 @compile_loop(inline="always")
 def _predict_covariance(
-    covariance: Array, kept: Array, integrated: Array, added: Array, angle_row: Array
+    covariance: Array, decay: Array, angle_gain: Array, process_noise: Array, angle_row: Array
 ) -> None:
     """Propagate the covariance over a step, in place (Eq. 6); `angle_row` is (m,) work space."""
-    m = len(kept)
+    m = len(decay)
     for b in range(m):
         angle_row[b] = 0.0
         for c in range(m):
-            angle_row[b] += integrated[c] * covariance[c, b]
-    covariance[0, 0] = added[0, 0]
+            angle_row[b] += angle_gain[c] * covariance[c, b]
+    covariance[0, 0] = process_noise[0, 0]
     for c in range(m):
-        covariance[0, 0] += angle_row[c] * integrated[c]
+        covariance[0, 0] += angle_row[c] * angle_gain[c]
     for b in range(1, m):
-        covariance[0, b] = covariance[b, 0] = angle_row[b] * kept[b] + added[0, b]
+        covariance[0, b] = covariance[b, 0] = angle_row[b] * decay[b] + process_noise[0, b]
         for c in range(1, m):
-            covariance[b, c] = covariance[b, c] * kept[b] * kept[c] + added[b, c]
+            covariance[b, c] = covariance[b, c] * decay[b] * decay[c] + process_noise[b, c]
 
 
 @compile_loop(inline="always")
@@ -152,12 +158,12 @@ def _update_covariance(
 
 
 @compile_loop(inline="always")
-def _predict_state(state: Array, kept: Array, integrated: Array) -> None:
+def _predict_state(state: Array, decay: Array, angle_gain: Array) -> None:
     """Propagate the (m, p) states over a step, in place (Eq. 6)."""
     for a in range(1, len(state)):
-        if integrated[a] != 0.0:
+        if angle_gain[a] != 0.0:
             for k in range(state.shape[1]):
-                state[0, k] += integrated[a] * state[a, k]
-        if kept[a] != 1.0:
+                state[0, k] += angle_gain[a] * state[a, k]
+        if decay[a] != 1.0:
             for k in range(state.shape[1]):
-                state[a, k] *= kept[a]
+                state[a, k] *= decay[a]

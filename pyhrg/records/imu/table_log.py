@@ -1,6 +1,11 @@
 """Logs of IMUs as tables: CSV, gzipped or not, and Parquet."""
 
+import io
+
 import numpy as np
+import pandas as pd
+import pyarrow
+import pyarrow.csv
 
 from pyhrg.common.arrays import Array
 from pyhrg.common.reading.parquet import parse_parquet
@@ -9,7 +14,9 @@ from pyhrg.records.imu.log import (
     ACCELEROMETERS,
     GYROS,
     MIN_ROWS,
+    ROTATION,
     TIME,
+    VELOCITY,
     Increments,
     Quantity,
     RecordedImu,
@@ -55,17 +62,50 @@ def read_parquet(source: str, data: bytes, trusted: bool) -> RecordedImu:
     return _build_log(source, kinds, values, 1, trusted)
 
 
+def format_table(increments: Increments, ending: str) -> bytes | None:
+    """Increments as CSV (`.csv`) or Parquet (`.parquet`), which read back to the same bits; None
+    for another ending."""
+    columns = _list_columns((ROTATION, VELOCITY))
+    values = (increments.bounds[1:], increments.rotation, increments.velocity)
+    frame = pd.DataFrame(np.column_stack(values), columns=columns)
+    if ending == ".parquet":
+        return frame.to_parquet(index=False)
+    if ending != ".csv":
+        return None
+    data = io.BytesIO(f"{','.join(columns)}\n".encode())
+    data.seek(0, io.SEEK_END)
+    options = pyarrow.csv.WriteOptions(include_header=False)
+    pyarrow.csv.write_csv(pyarrow.Table.from_pandas(frame), data, options)
+    return data.getvalue()
+
+
 def _list_columns(kinds: tuple[Quantity, Quantity]) -> list[str]:
     return [TIME, *(column for kind in kinds for column in kind.columns)]
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
 
 
 def _choose_quantities(source: str, header: list[str]) -> tuple[Quantity, Quantity]:
     """The quantities of gyros and accelerometers that a header has beside the time."""
     if not header:
         raise LogError(f"{source}: found an empty file, expected a header and values")
+    if all(_is_number(name) for name in header[0].split()):
+        raise LogError(
+            f"{source}: row 1: found numbers, expected a header that names the columns (a table) "
+            "or lines of % comments (PSINS); docs/imus.md shows both"
+        )
     if TIME not in header:
         found = f"found no column {TIME} among {', '.join(header)}, expected it"
-        raise LogError(f"{source}: {found}; `hrg campaign init` reads a bench log of other columns")
+        raise LogError(
+            f"{source}: {found}; docs/imus.md lists the columns of an IMU log, "
+            "`hrg campaign init` reads a bench log of other columns"
+        )
     return choose_quantity(source, header, GYROS), choose_quantity(source, header, ACCELEROMETERS)
 
 

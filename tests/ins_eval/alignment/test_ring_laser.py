@@ -1,8 +1,6 @@
 """A recorded ring-laser IMU in a standing vehicle that people move in."""
 
-import os
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -22,24 +20,22 @@ from ins_eval.navigation.strapdown import navigate
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
 from pyhrg.records.imu.log import Increments, RecordedImu
+from tests.recordings import find_recording
 
-REAL = Path(__file__).parents[4] / "shared" / "real"
 STATED = SensorErrors(
     gyro_bias=0.01 * DEG_PER_H,
     accelerometer_bias=50 * MICRO_G,
     angle_quantization_step=0.1 * ARCSEC,
     velocity_quantization_step=125 * MICRO_G,
 )
+
 """Biases of the class; one count of the record."""
 SPAN = 300.0
 
 
 @pytest.fixture(scope="module")
 def log() -> RecordedImu:
-    path = Path(os.environ.get("HRG_REAL", REAL)) / "lasergyro.imu.gz"
-    if not path.is_file():
-        pytest.skip(f"{path} is not there; HRG_REAL says where recorded data are")
-    return sources.read_record(path)
+    return sources.read_record(find_recording("lasergyro.imu.gz"))
 
 
 @pytest.fixture(scope="module")

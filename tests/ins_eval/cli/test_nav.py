@@ -207,7 +207,10 @@ def test_mistake_is_one_line_and_status_2(
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ([], "standing.csv: doesn't say where it was recorded; expected latitude_deg"),
+        (
+            [],
+            "it doesn't say where it was recorded; expected the argument latitude_deg",
+        ),
         (["--latitude-deg", "90"], "latitude_deg: found 90, expected a number from -89 to 89"),
         (["--height-m", "9"], "height_m: found 9, expected latitude_deg as well"),
         (["--latitude-deg", "40", "--runs", "2"], "--runs: is for simulated IMUs, and standing"),

@@ -1,26 +1,20 @@
 """Recorded logs for the command line's tests."""
 
-import os
 from pathlib import Path
-
-import pytest
 
 from ins_eval.imu import specification
 from ins_eval.trajectories import catalogue
 from pyhrg.records.imu.log import Increments
 from tests.ins_eval.imu.logs import INCREMENTS, frame, saved
+from tests.recordings import find_recording
 
-REAL = Path(__file__).parents[4] / "shared" / "real"
 LATITUDE_DEG = "39.9"
 """Where the car stands."""
 
 
 def ring_laser() -> Path:
     """A recorded log; `HRG_REAL` says where such are."""
-    path = Path(os.environ.get("HRG_REAL", REAL)) / "lasergyro.imu.gz"
-    if not path.is_file():
-        pytest.skip(f"{path} is not there; HRG_REAL says where recorded data are")
-    return path
+    return find_recording("lasergyro.imu.gz")
 
 
 def standing(seconds: float, seed: int = 1) -> Increments:

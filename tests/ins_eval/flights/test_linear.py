@@ -1,8 +1,6 @@
 """The linear model beside flights: its 1-sigma holds them, its budget explains them."""
 
-import os
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,8 +15,8 @@ from ins_eval.imu import specification
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.stated_gyros import StatedGyros
 from ins_eval.trajectories import catalogue
+from tests.recordings import find_recording
 
-REAL = Path(__file__).parents[4] / "shared" / "real"
 RUNS, RATE, MINUTES = 120, 20, 20
 PLAN = Plan(
     1 / RATE,
@@ -103,9 +101,7 @@ def test_budget_counts_alignment_in(imu: Imu) -> None:
 def test_budget_sums_to_a_recorded_drive(imu: Imu) -> None:
     """City traffic changes velocity and attitude from second to second; 0.3 % is left,
     0.9 % with steps of 1 s."""
-    path = Path(os.environ.get("HRG_REAL", REAL)) / "turin_drive.csv.gz"
-    if not path.is_file():
-        pytest.skip(f"{path} is not there; HRG_REAL says where recorded data are")
+    path = find_recording("turin_drive.csv.gz")
     plan = replace(PLAN, count=18 * 60 * RATE, alignment=280.0, runs=1)
     drive = sample_truth(plan, catalogue.load_trajectory(path, plan.duration, 300.0))
     flights = fly_runs(plan, drive, imu)

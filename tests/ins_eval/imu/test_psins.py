@@ -1,7 +1,6 @@
 """Logs in PSINS' text format."""
 
 import gzip
-import os
 from pathlib import Path
 
 import numpy as np
@@ -11,8 +10,7 @@ from ins_eval.common import earth
 from ins_eval.flights import sources
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import ARCSEC, DEG
-
-REAL = Path(__file__).parents[4] / "shared" / "real"
+from tests.recordings import find_recording
 
 HEADER = """% PSINS-format SIMU log file.
 
@@ -26,10 +24,7 @@ ROWS = "1 2 3 4 5 6\n" * 20
 @pytest.fixture
 def ring_laser() -> Path:
     """A recorded log; `HRG_REAL` says where such are."""
-    path = Path(os.environ.get("HRG_REAL", REAL)) / "lasergyro.imu.gz"
-    if not path.is_file():
-        pytest.skip(f"{path} is not there; HRG_REAL says where recorded data are")
-    return path
+    return find_recording("lasergyro.imu.gz")
 
 
 def write(folder: Path, text: str) -> Path:

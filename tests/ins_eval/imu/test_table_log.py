@@ -9,7 +9,7 @@ import pytest
 from ins_eval.flights import sources
 from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.log import ACCELEROMETERS, GYROS, Increments, Quantity
-from tests.ins_eval.imu.logs import INCREMENTS, frame, resting, saved
+from tests.ins_eval.imu.logs import frame, resting, saved
 
 RANDOM = Increments(
     1 / 300, *np.random.default_rng(1).normal(0, [[[1e-5]], [[1e-3]]], (2, 500, 3)), start=12.5
@@ -17,13 +17,31 @@ RANDOM = Increments(
 
 
 @pytest.mark.parametrize("name", ["log.csv", "log.csv.gz", "log.parquet"])
-def test_increments_are_read_to_the_bit(tmp_path: Path, name: str) -> None:
-    path = saved(frame(RANDOM, *INCREMENTS), tmp_path, name)
+def test_what_was_written_reads_back_to_the_same_bits(tmp_path: Path, name: str) -> None:
+    path = tmp_path / name
+    sources.write_record(RANDOM, path)
     back = sources.read_record(path).increments
     np.testing.assert_array_equal(back.rotation, RANDOM.rotation)
     np.testing.assert_array_equal(back.velocity, RANDOM.velocity)
     assert back.interval == pytest.approx(RANDOM.interval, rel=1e-12)
     assert back.start == pytest.approx(12.5, abs=1e-12)
+    first = path.read_bytes()
+    sources.write_record(RANDOM, path)
+    assert path.read_bytes() == first
+
+
+def test_another_ending_is_refused_and_nothing_is_left(tmp_path: Path) -> None:
+    for name in ("log.xls", "log.parquet.gz", "log"):
+        with pytest.raises(HrgError, match=r"expected .csv, .csv.gz or .parquet"):
+            sources.write_record(RANDOM, tmp_path / name)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_numbers_without_a_header_are_said_to_be_that(tmp_path: Path) -> None:
+    path = tmp_path / "imu.txt"
+    path.write_text("1e-7 2e-7 -3e-7 0.01 0.02 9.8 0.01\n" * 20)
+    with pytest.raises(HrgError, match="row 1: found numbers, expected a header"):
+        sources.read_record(path)
 
 
 @pytest.mark.parametrize("gyros", GYROS, ids=lambda kind: kind.column("x"))

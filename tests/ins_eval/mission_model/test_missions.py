@@ -1,6 +1,5 @@
 """Missions of the study, and weights of them on disk."""
 
-import os
 from pathlib import Path
 
 import numpy as np
@@ -10,10 +9,10 @@ from ins_eval.mission_model import weights_cache
 from ins_eval.mission_model.missions import STILL, StudyMission, plan_mission
 from ins_eval.mission_model.weights_cache import compute_weights_digest, load_mission_weights
 from ins_eval.trajectories.errors import TrajectoryError
+from tests.recordings import find_recording
 
 READY_MISSIONS = ("car", "aircraft", "airliner", "ship", "missile", "long-haul", "static-table")
 """Ready missions that start at rest."""
-RECORDED = Path(os.environ.get("HRG_REAL", Path(__file__).parents[4] / "shared/real"))
 
 
 @pytest.mark.parametrize("name", READY_MISSIONS)
@@ -25,10 +24,7 @@ def test_all_begin_at_rest(name: str) -> None:
 
 
 def test_recorded_drive_repeats_to_length() -> None:
-    drive = RECORDED / "turin_drive.csv.gz"
-    if not drive.exists():
-        pytest.skip(f"{drive} is not there; HRG_REAL says where recorded data are")
-    mission = plan_mission(drive, 2.0)
+    mission = plan_mission(find_recording("turin_drive.csv.gz"), 2.0)
     assert mission.name == "turin_drive"
     assert mission.trajectory().end >= 7200
 

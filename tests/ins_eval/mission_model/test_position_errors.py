@@ -9,7 +9,7 @@ from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import StudyMission
 from ins_eval.mission_model.position_errors import (
     TriadBlock,
-    compute_position_errors,
+    compute_linear_position_errors,
     draw_noise_errors,
 )
 from ins_eval.study.cosimulated import compare_errors, cosimulate, sample_truth
@@ -26,7 +26,7 @@ def test_linear_flight_is_the_nonlinear_one(
 ) -> None:
     """Within 1 % of the rms, gyros that warm by up to 15 K; not that of another triad, nor without
     what the maps gain with specific force and heating."""
-    parts = compute_position_errors(triads, weights, 0)
+    parts = compute_linear_position_errors(triads, weights, 0)
     linear = parts.error - parts.noise
     flying = sample_truth(short)
     nonlinear = np.array([cosimulate(fmu, flying, each) for each in some])
@@ -38,7 +38,7 @@ def test_linear_flight_is_the_nonlinear_one(
 
 
 def test_parts_add_up(triads: TriadBlock, weights: MissionWeights) -> None:
-    found = compute_position_errors(triads, weights, 0)
+    found = compute_linear_position_errors(triads, weights, 0)
     parts = sum(getattr(found, field.name) for field in fields(found))
     assert np.array_equal(found.error, parts)
     assert found.radial[0, -1] == pytest.approx(np.linalg.norm(parts[0, -1]))

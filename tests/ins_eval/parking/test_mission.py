@@ -8,6 +8,7 @@ import pytest
 from ins_eval.common import earth
 from ins_eval.mission_model.missions import STILL
 from ins_eval.parking.mission import INTERVAL, Mission, find_ready_time
+from ins_eval.study.cosimulated import align_at_rest
 from pyhrg.common.errors import HrgError
 from tests.ins_eval.cases import short_mission
 
@@ -23,12 +24,12 @@ def flight() -> Mission:
 def test_start_up_is_left_out_of_alignment(flight: Mission) -> None:
     """An east gyro's bias of start-up turns the heading by its share of the five minutes
     (Groves 2013, section 5.6.2), unless alignment begins after it."""
-    mat_nb = flight.align(flight.truth)
+    mat_nb = align_at_rest(flight.truth, flight.truth.increments, 0.0)
     east_b = mat_nb.T @ np.array([0.0, 1.0, 0.0])
-    bias, latitude = 1e-6, flight.start[0]
-    rotation = flight.truth.rotation.copy()
+    bias, latitude = 1e-6, flight.truth.start.latitude
+    rotation = flight.truth.increments.rotation.copy()
     rotation[: round(START_UP / INTERVAL)] += bias * INTERVAL * east_b
-    measured = replace(flight.truth, rotation=rotation)
+    measured = replace(flight.truth.increments, rotation=rotation)
     turned = -START_UP / STILL * bias / (earth.RATE * np.cos(latitude))
     assert flight.heading_error(measured) == pytest.approx(turned, rel=1e-3)
     assert abs(flight.heading_error(measured, START_UP - STILL)) < 1e-6 * abs(turned)
@@ -36,10 +37,13 @@ def test_start_up_is_left_out_of_alignment(flight: Mission) -> None:
 
 def test_nothing_of_the_drive_is_aligned_on(flight: Mission) -> None:
     zero = round(STILL / INTERVAL)
-    spoilt = flight.truth.rotation.copy()
+    spoilt = flight.truth.increments.rotation.copy()
     spoilt[zero:] = np.nan
-    measured = replace(flight.truth, rotation=spoilt)
-    assert np.array_equal(flight.align(measured), flight.align(flight.truth))
+    measured = replace(flight.truth.increments, rotation=spoilt)
+    assert np.array_equal(
+        align_at_rest(flight.truth, measured, 0.0),
+        align_at_rest(flight.truth, flight.truth.increments, 0.0),
+    )
 
 
 def test_start_up_ends_with_the_last_interval_that_is_not_good() -> None:

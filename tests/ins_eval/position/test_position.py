@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ins_eval.mission_model.gyro_map import turn_weights
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import plan_mission
-from ins_eval.mission_model.position_errors import compute_position_errors
+from ins_eval.mission_model.position_errors import compute_linear_position_errors
 from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.position.diagnosis import read_diagnosed_gyro
 from ins_eval.position.position import PositionRequest, compute_mission_gaps
@@ -169,5 +169,7 @@ def test_error_parts_add_up_to_those_of_the_study(
         seeds=np.zeros((5, 2), dtype=np.uint64),
     )
     parts = compute_error_parts(weights, in_flight)
-    assert sum(parts.values()) == pytest.approx(compute_position_errors(triads, weights, 0).error)
+    assert sum(parts.values()) == pytest.approx(
+        compute_linear_position_errors(triads, weights, 0).error
+    )
     assert np.abs(parts[ALIGNMENT_PART]).max() > 1e-6

@@ -1,7 +1,6 @@
 """Reading a drive: what is right goes through, what is wrong is named."""
 
 import gzip
-import os
 from collections.abc import Callable
 from pathlib import Path
 
@@ -15,8 +14,8 @@ from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.recorded_drive import COLUMNS, Drive, read_drive, repeat_drive
 from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.errors import HrgError
+from tests.recordings import find_recording
 
-REAL = Path(__file__).parents[4] / "shared" / "real"
 Rows = list[list[str]]
 
 
@@ -228,9 +227,7 @@ def test_times_that_are_no_durations_are_refused(
 @pytest.fixture(scope="module")
 def city() -> Drive:
     """A car in city traffic, 21 min at 1 Hz; `HRG_REAL` says where recorded data are."""
-    path = Path(os.environ.get("HRG_REAL", REAL)) / "turin_drive.csv.gz"
-    if not path.is_file():
-        pytest.skip(f"{path} is not there; HRG_REAL says where recorded data are")
+    path = find_recording("turin_drive.csv.gz")
     return read_drive(path)
 
 
@@ -269,3 +266,17 @@ def test_recorded_drive_stays_a_cars(city: Drive) -> None:
     assert np.max(np.linalg.norm(path.velocity(time), axis=1)) < 20.5
     recorded = np.linalg.norm(city.velocity, axis=1)
     assert np.max(recorded) == pytest.approx(20.1, abs=0.1)
+
+
+def test_a_drive_that_begins_at_rest_begins_at_time_zero() -> None:
+    drive = BENDS["from rest to rest, about"]
+    path = repeat_drive(drive, 60.0, 10.0)
+    apart = path.position(drive.time) - drive.position
+    assert np.max(np.abs(apart)) < 1e-12
+    assert path.remark == ""
+
+
+def test_what_is_not_as_recorded_is_said() -> None:
+    path = repeat_drive(BENDS["round a corner"], 100.0, 10.0)
+    joint = "it is in motion at its first row, so 20 s lead to it from rest"
+    assert path.remark == f"bend: {joint}; it lasts 60 s and is repeated"

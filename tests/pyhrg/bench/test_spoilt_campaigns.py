@@ -13,7 +13,7 @@ import pytest
 
 from pyhrg.bench.bias.position import fixed_position, full_circumference
 from pyhrg.bench.outcome import BenchError, Outcome
-from pyhrg.bench.procedure import Procedure
+from pyhrg.bench.procedure import Procedure, evaluate_tests
 from pyhrg.bench.source import open_records
 from pyhrg.common.errors import HrgError
 from pyhrg.device.ready_devices import TYPICAL
@@ -42,7 +42,7 @@ def intact(slow_fmu: GyroFmu, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def evaluate(procedure: Procedure, folder: Path) -> Outcome:
-    return procedure.evaluate(campaigns.read_campaign(folder))
+    return evaluate_tests(procedure, campaigns.read_campaign(folder))
 
 
 def spoil_log(intact: Path, tmp_path: Path, procedure: Procedure, spoil: Spoil) -> Path:
@@ -136,7 +136,7 @@ def test_an_exclusion_is_stated_and_figures_stay_right(
 def test_inputs_that_are_taken_as_at_rest_are_said_once(intact: Path, tmp_path: Path) -> None:
     spoil = drop_columns("phase_offset_rad", "temperature_degC")
     records = open_records(spoil_log(intact, tmp_path, FIXED, spoil), [FIXED])
-    assert FIXED.evaluate(records.get_records(FIXED)).exclusions == (
+    assert evaluate_tests(FIXED, records.get_records(FIXED)).exclusions == (
         "fixed_2.csv.gz: phase_offset_rad, temperature_degC: missing, taken as on a gyro at rest",
     )
 

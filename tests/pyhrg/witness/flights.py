@@ -55,8 +55,10 @@ GYRO = Device(
     },
 )
 """A gyro like those of the study whose maps are calibrated: a map of 0.6 deg/h."""
-PRIOR = make_drift_prior(GYRO, YEAR / 2, 0.02, 0.05, heating=0.06 * DEG_PER_H)
-LINEAR_PRIOR = make_drift_prior(GYRO, YEAR / 2, 0.02, 0.05, heating=0.06 * DEG_PER_H, cubic=0.0)
+PRIOR = make_drift_prior(GYRO, YEAR / 2, 0.02, 0.05, temperature_rate_bias=0.06 * DEG_PER_H)
+LINEAR_PRIOR = make_drift_prior(
+    GYRO, YEAR / 2, 0.02, 0.05, temperature_rate_bias=0.06 * DEG_PER_H, cubic=0.0
+)
 """The same, with pick-offs whose cubic term is known."""
 
 

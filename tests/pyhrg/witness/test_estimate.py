@@ -13,10 +13,10 @@ from pyhrg.common.errors import HrgError
 from pyhrg.fmu import GyroFmu
 from pyhrg.records.log import Log
 from pyhrg.witness.fit import FittedChanges, Flown, fit_changes
-from pyhrg.witness.information import compute_map_response, compute_normalized_square
+from pyhrg.witness.information import compute_maps_response, compute_normalized_square
 from pyhrg.witness.mechanisms import change_device
 from pyhrg.witness.replay import read_witnesses
-from pyhrg.witness.responses import Responses
+from pyhrg.witness.responses import TERMS, Responses
 from tests.pyhrg.witness.flights import GYRO, PRIOR, RISE, burst, draw_changes, fly
 
 FLIGHTS, DURATION = 6, 600.0
@@ -65,7 +65,7 @@ def test_nees_is_in_its_band(flights: list[Flight]) -> None:
 
 def compute_map_rms(responses: Responses, changes: list[Array]) -> float:
     """Rms over the circumference and over gyros of the bias that changes make, rad/s."""
-    maps = np.array(changes) @ compute_map_response(responses, RISE).T
+    maps = np.array(changes) @ compute_maps_response(responses, RISE)[:TERMS].T
     return float(np.sqrt(np.mean(maps[:, 0] ** 2 + np.sum(maps[:, 1:] ** 2, axis=1) / 2)))
 
 

@@ -5,18 +5,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from benchmarks.witness.uncertainty import (
+    compute_map_deviation,
+    compute_mean_deviation,
+    rank_directions,
+)
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.witness.information import (
     accumulate_information,
-    compute_map_deviation,
-    compute_map_response,
-    compute_mean_deviation,
+    compute_maps_response,
     compute_posterior,
-    rank_directions,
 )
 from pyhrg.witness.mechanisms import COUNT, find
-from pyhrg.witness.responses import Motion, Responses, evaluate_angles
+from pyhrg.witness.responses import TERMS, Motion, Responses, evaluate_angles
 from tests.pyhrg.witness.flights import GYRO, LINEAR_PRIOR
 
 DURATION = 600.0
@@ -58,7 +60,7 @@ def test_a_gyro_at_rest_does_not_see_its_own_bias(responses: Responses) -> None:
 
     def compare(angle: Array) -> float:
         harmonics = evaluate_angles(angle)[:, 1:]
-        response = harmonics @ compute_map_response(responses, 0.0)[1:]
+        response = harmonics @ compute_maps_response(responses, 0.0)[1:TERMS]
         before, after = (
             float(np.sqrt(response @ covariance @ response.T)[0, 0])
             for covariance in (prior, compute_posterior(prior, information))

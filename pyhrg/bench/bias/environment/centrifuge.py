@@ -56,7 +56,7 @@ def evaluate(campaign: Campaign) -> Outcome:
     share = sum(result.fitted.value(n) * c for n, c in columns.items())
     worst = float(np.max(np.abs(share)) / DEG_PER_H) if columns else np.nan
     verdict = f"Specific force of up to {size:.3g} g moves the bias by up to {worst:.2g} deg/h."
-    return make_outcome(campaign, result, KIND, "Bias on the centrifuge", verdict)
+    return make_outcome(result, "Bias on the centrifuge", verdict)
 
 
 PROCEDURE: Procedure = Procedure(

@@ -14,7 +14,7 @@ from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
 from pyhrg.bench.estimation.terms import PatternBasis, choose_pattern_basis, select_separable
 from pyhrg.bench.figures import COLOURS
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import list_exclusions, require_tests
+from pyhrg.bench.procedure import require_tests
 from pyhrg.bench.readings.segments import Points, join_points, read_points
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG_PER_H, STANDARD_GRAVITY
@@ -100,10 +100,8 @@ def make_force_columns(acceleration: Array) -> dict[str, Array]:
     return linear | squares | products
 
 
-def make_outcome(
-    campaign: Campaign, result: Sensitivity, kind: str, title: str, verdict: str
-) -> Outcome:
-    """Bias and its sensitivity to specific force, of all tests of a kind."""
+def make_outcome(result: Sensitivity, title: str, verdict: str) -> Outcome:
+    """Bias and its sensitivity to specific force."""
     warnings = [finding.note for finding in result.missing]
     if result.basis.angle is not None:
         warnings.append(
@@ -114,7 +112,6 @@ def make_outcome(
         findings=result.findings(),
         verdict=verdict,
         warnings=tuple(warnings),
-        exclusions=list_exclusions(require_tests(campaign, kind)),
         draw=lambda figure: draw(figure, result, title),
         values={"terms": result.fitted.terms},
     )

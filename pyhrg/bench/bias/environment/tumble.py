@@ -71,7 +71,7 @@ def record(bench: Bench) -> list[Test]:
 def evaluate(campaign: Campaign) -> Outcome:
     """Bias and its sensitivity to specific force."""
     result = fit_sensitivity(campaign, KIND)
-    outcome = make_outcome(campaign, result, KIND, "Bias in the tumble", _describe_verdict(result))
+    outcome = make_outcome(result, "Bias in the tumble", _describe_verdict(result))
     warning = (
         "Earth's rate on the input axis is proportional to specific force along it: a scale-factor "
         f"error of 1 ppm reads as {campaign.site.vertical_rate * 1e-6 / DEG_PER_H:.1g} deg/h/g "

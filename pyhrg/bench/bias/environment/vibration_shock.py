@@ -23,7 +23,7 @@ from pyhrg.bench.bias.thermal_programme import add_positions
 from pyhrg.bench.estimation.harmonics import MEAN, name_terms
 from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests, select_tests
+from pyhrg.bench.procedure import Procedure, require_tests, select_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import WARM_UP
 from pyhrg.common.units import DEG_PER_H, STANDARD_GRAVITY
@@ -117,12 +117,10 @@ def evaluate(campaign: Campaign) -> Outcome:
     changes = [_estimate_changes(text, groups[BEFORE], runs) for text, runs in measured.items()]
     findings = list(chain(*changes))
     missing = [text for kind, text in STATES.items() if not groups[kind]]
-    used = select_tests(campaign, BEFORE, *STATES, SHOCK)
     return Outcome(
         findings=(*findings, *_estimate_shock(campaign)),
         verdict=_describe_verdict(findings),
         warnings=(*(f"no record {text}" for text in missing), NO_MEMORY),
-        exclusions=list_exclusions(used),
         draw=lambda figure: draw(figure, {"before": groups[BEFORE], **measured}),
     )
 

@@ -13,7 +13,7 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS, BiasTest
 from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Outcome
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Points, read_segments
 from pyhrg.common.units import DEG, DEG_PER_H, MINUTE
 from pyhrg.records.campaign import Campaign, Test
@@ -57,7 +57,6 @@ def evaluate(campaign: Campaign) -> Outcome:
             "of the bias map has 90 deg."
         ),
         tables=(result.table(),),
-        exclusions=list_exclusions(tests),
         draw=lambda figure: draw(figure, runs),
     )
 

@@ -18,7 +18,7 @@ from pyhrg.bench.bias.position.positions import HARMONICS, Plan, choose_plan, se
 from pyhrg.bench.estimation.harmonics import MEAN, TILT, Fit, fit, make_columns, name_terms
 from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_mean
-from pyhrg.bench.procedure import Option, Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Option, Procedure, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Points
 from pyhrg.common.arrays import Array
@@ -43,7 +43,8 @@ the paper's eight positions, half as far apart."""
 
 @dataclass(frozen=True)
 class BiasMap:
-    """Bias against pattern angle.
+    """Output rate at rest less Earth's rate, against pattern angle: the bias, and Earth's vertical
+    rate times the map of the scale factor, which `calibration_maps.fit_maps` tells apart.
 
     harmonics: orders that are fitted.
     tilt: whether the tilt of the input axis is fitted.
@@ -161,9 +162,9 @@ def fit_map(
     The data points of all runs lie at the same positions.
     """
     first = runs[0]
-    positions = [first.dwell == number for number in np.unique(first.dwell)]
+    dwells = [first.dwell == number for number in np.unique(first.dwell)]
     pattern, table = (
-        np.array([np.mean(angle[chosen]) for chosen in positions])
+        np.array([np.mean(angle[chosen]) for chosen in dwells])
         for angle in (first.pattern_angle, first.table_angle)
     )
     seen, with_tilt, refused = select_visible(pattern, table, wanted, tilt)
@@ -191,7 +192,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         verdict=_describe_verdict(test, within.si_value, between.si_value),
         tables=(test.table(),),
         warnings=(*fitted.refused, *filter(None, [positions.describe_leakage(runs[0])])),
-        exclusions=(*list_exclusions(tests), *exclusions),
+        exclusions=tuple(exclusions),
         draw=lambda figure: draw(figure, runs, fitted),
         values={"bias_map": {name: fitted.value(name) for name in fitted.names}},
     )

@@ -18,7 +18,7 @@ from pyhrg.bench.bias.thermal_programme import SPIN, SPIN_RATE, add_positions
 from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
 from pyhrg.bench.estimation.sizes import estimate_spread
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_pooled_deviation
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import WARM_UP
 from pyhrg.bench.readings.turns import compute_scale_factor_error, find_spins, pair_spins
@@ -121,7 +121,6 @@ def evaluate(campaign: Campaign) -> Outcome:
             f"tests are taken as a month apart, in order: {tests[0].id} to {tests[-1].id}",
             "in the model only the decay time ages",
         ),
-        exclusions=list_exclusions(tests),
         draw=lambda figure: draw(figure, bias, scale),
     )
 

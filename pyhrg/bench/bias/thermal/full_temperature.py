@@ -22,7 +22,7 @@ from pyhrg.bench.bias.thermal_programme import make_programme
 from pyhrg.bench.estimation.sizes import estimate_spread
 from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import Finding, Outcome, estimate_pooled_deviation
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.records.campaign import Campaign, Test
@@ -59,7 +59,6 @@ def evaluate(campaign: Campaign) -> Outcome:
         verdict=_describe_verdict(result),
         tables=(Table("Soaks", header, rows),),
         warnings=(*_list_warnings(result), *scale_warnings),
-        exclusions=list_exclusions(require_tests(campaign, KIND)),
         draw=lambda figure: draw(figure, result),
         values={"terms": result.fitted.terms},
     )

@@ -18,21 +18,12 @@ from pyhrg.gap.whitening.whitening import NoiseModel
 from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
 
-def fit_noise(
-    residuals: Sequence[Residual],
-    stated: NoiseModel,
-    noises: Sequence[NoiseEffect] = NOISES,
-) -> NoiseHypothesis:
-    """The most probable noise: noises of the catalogue beyond the stated noise, or an unnamed one
-    with or without them, from the residual of the output angle in each test."""
-    return fit_rival_noises(residuals, stated, noises)[0]
-
-
 def fit_rival_noises(
     residuals: Sequence[Residual], stated: NoiseModel, noises: Sequence[NoiseEffect]
 ) -> list[NoiseHypothesis]:
-    """The most probable noise, as `fit_noise`; after one with an unnamed noise, that of the
-    catalogue's noises alone."""
+    """The most probable noise, from the residual of the output angle in each test: noises of the
+    catalogue beyond the stated noise, or an unnamed one with or without them. After one with an
+    unnamed noise, that of the catalogue's noises alone."""
     plain = _assemble(residuals, stated, _find_named(residuals, stated, noises), None)
     bases = [(plain.noise, plain.log_prior)] + ([(stated, 0.0)] if plain.added else [])
     unnamed = fit_unnamed_noise(residuals, bases)

@@ -13,7 +13,7 @@ from ins_eval.study.report.page import make_sections, select_shown, write_page
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.summary.predict_error import predict_from_study
 from ins_eval.study.tables import columns as c
-from tests.elements import check_scheme
+from tests.elements import check_scheme, check_width, open_quiet_page
 from tests.ins_eval.study.report.colours import SMALLEST_DIFFERENCE, measure_difference
 from tests.ins_eval.study.report.synthetic import MISSIONS, synthetic
 
@@ -40,17 +40,7 @@ def address(result: StudyData, tmp_path_factory: pytest.TempPathFactory) -> str:
 
 @pytest.fixture
 def page(browser: Any, address: str) -> Iterator[Any]:
-    """The open report; no error on the console, no request but for the file."""
-    opened = browser.new_page(viewport={"width": 1280, "height": 900})
-    complaints: list[str] = []
-    opened.on("console", lambda message: complaints.append(f"{message.type}: {message.text}"))
-    opened.on("pageerror", lambda error: complaints.append(str(error)))
-    opened.on("request", lambda request: complaints.append(request.url))
-    opened.goto(address)
-    assert complaints.pop(0) == address
-    yield opened
-    assert complaints == []
-    opened.close()
+    yield from open_quiet_page(browser, address)
 
 
 def chosen(table: pd.DataFrame, **wanted: str) -> pd.DataFrame:
@@ -240,7 +230,4 @@ def test_claims_fit_a_phone_and_wide_tables_say_that_they_scroll(
 
 @pytest.mark.parametrize("width", [360, 390, 800, 1600])
 def test_nothing_reaches_over_the_edge(browser: Any, address: str, width: int) -> None:
-    opened = browser.new_page(viewport={"width": width, "height": 800})
-    opened.goto(address)
-    assert opened.evaluate("document.documentElement.scrollWidth") <= width
-    opened.close()
+    check_width(browser, address, width)

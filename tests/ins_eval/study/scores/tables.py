@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 
-from ins_eval.mission_model.position_errors import compute_position_errors
+from ins_eval.mission_model.position_errors import compute_linear_position_errors
 from ins_eval.study.predictors import prediction_columns as block
 from ins_eval.study.tables import columns
 from tests.ins_eval.study.predictors import cases
@@ -22,7 +22,7 @@ def table(count: int, spread: float = 1.0, seed: int = 2) -> pd.DataFrame:
     for name, seeds in CLASSES.items():
         for number in seeds:
             weights = cases.mission(number)
-            parts_of_error = compute_position_errors(triads, weights, mission=0)
+            parts_of_error = compute_linear_position_errors(triads, weights, mission=0)
             errors, leaning = parts_of_error.error[:, 0], parts_of_error.mounting[:, 0]
             rules = cases.class_ratios(training.select(slice(40)), weights)
             predicted = block.predict_all(weights, triads, learnt, rules, seed=1)

@@ -8,7 +8,7 @@ import pytest
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
 from pyhrg.gap.effects.catalogue import NOISES
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
-from pyhrg.gap.evidence.noise.noise_search import find_noise_equivalents, fit_noise
+from pyhrg.gap.evidence.noise.noise_search import find_noise_equivalents, fit_rival_noises
 from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.next_test.candidate_tests import LONG_ROWS
 from pyhrg.gap.next_test.static_test import suggest_static_test
@@ -26,7 +26,7 @@ def recorded(noise: NoiseModel, hours: float, seed: int) -> Residual:
 
 
 def found(records: list[Residual]) -> NoiseHypothesis:
-    return find_noise_equivalents(fit_noise(records, BELIEVED), records, BELIEVED)
+    return find_noise_equivalents(fit_rival_noises(records, BELIEVED, NOISES)[0], records, BELIEVED)
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.report.figures.panels import compute_panels
 from pyhrg.gap.report.figures.views import VIEWS
 from pyhrg.gap.report.page import build_page
-from tests.elements import check_scheme
+from tests.elements import check_scheme, check_width, open_quiet_page
 
 pytestmark = pytest.mark.needs("chromium")
 
@@ -24,17 +24,7 @@ def address(with_gap: CampaignDiagnosis, tmp_path_factory: pytest.TempPathFactor
 
 @pytest.fixture
 def page(browser: Any, address: str) -> Iterator[Any]:
-    """The open report; no error on the console, no request but for the file."""
-    opened = browser.new_page(viewport={"width": 1280, "height": 900})
-    complaints: list[str] = []
-    opened.on("console", lambda message: complaints.append(f"{message.type}: {message.text}"))
-    opened.on("pageerror", lambda error: complaints.append(str(error)))
-    opened.on("request", lambda request: complaints.append(request.url))
-    opened.goto(address)
-    assert complaints.pop(0) == address
-    yield opened
-    assert complaints == []
-    opened.close()
+    yield from open_quiet_page(browser, address)
 
 
 def visible(page: Any) -> list[dict[str, str]]:
@@ -92,7 +82,4 @@ def test_light_and_dark(browser: Any, address: str, dark: bool) -> None:
 
 @pytest.mark.parametrize("width", [360, 800, 1600])
 def test_nothing_reaches_over_the_edge(browser: Any, address: str, width: int) -> None:
-    opened = browser.new_page(viewport={"width": width, "height": 800})
-    opened.goto(address)
-    assert opened.evaluate("document.documentElement.scrollWidth") <= width
-    opened.close()
+    check_width(browser, address, width)

@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 from pyhrg.common.errors import HrgError
-from pyhrg.gap.static_record import StaticRecord, diagnose_record
+from pyhrg.gap.static_record import diagnose_record
 from pyhrg.gap.static_record.belief import Belief, parse_belief, read_beliefs
 from pyhrg.gap.static_record.record import (
     Channel,
+    StaticRecord,
     channel_from_increments,
     find_quantization_step,
 )
@@ -21,6 +22,7 @@ from pyhrg.gap.static_record.record import (
 from pyhrg.gap.static_record.shared_motion import compute_shared_power
 from pyhrg.gap.static_record.terms import ACCELEROMETER, GYRO
 from tests.pyhrg.noises import noisy_angle
+from tests.recordings import find_recording
 
 SHARED = Path(__file__).parents[5] / "shared"
 
@@ -151,9 +153,7 @@ def test_a_bench_log_s_walk_is_found() -> None:
 
 def test_a_laser_gyro_s_record_is_motion() -> None:
     """A vehicle with people in it: no noise term; from 0.1 to 3 Hz the channels share it."""
-    path = Path(os.environ.get("HRG_REAL", SHARED / "real")) / "lasergyro.imu.gz"
-    if not path.is_file():
-        pytest.skip(f"{path} is not there; HRG_REAL says where recorded data are")
+    path = find_recording("lasergyro.imu.gz")
     record = read_record(path)
     assert [c.kind for c in record.channels] == [GYRO] * 3 + [ACCELEROMETER] * 3
     assert record.channels[0].quantization_step == pytest.approx(np.deg2rad(0.1 / 3600), rel=1e-6)

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from pyhrg.common.errors import HrgError
-from pyhrg.records.campaign_import import read_mapping
+from pyhrg.records.campaign_import.mapping import read_mapping
 from tests.pyhrg.records.campaign_import.labs import HEAD, entry_of
 
 GOOD = HEAD + "[layout]\nseparator = 'tab'\n" + entry_of("one", "static", "fit", "one.csv")

@@ -10,13 +10,15 @@ from pyhrg.common.errors import HrgError
 class Check:
     """What was asked, what was found, and a remark.
 
-    `skipped` says why nothing was asked, and is empty where something was.
+    skipped: why nothing could be asked here, empty where something was; asked: whether there was
+    anything to ask.
     """
 
     name: str
     findings: list[str] = field(default_factory=list)
     remark: str = ""
     skipped: str = ""
+    asked: bool = True
 
 
 def collect_findings(rule: Callable[[], Iterable[str]]) -> list[str]:

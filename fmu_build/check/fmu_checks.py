@@ -47,7 +47,7 @@ def _runs(fmu: Fmu) -> Iterator[Check]:
         yield Check("importers run it", [str(error)])
         return
     if planned is None:
-        yield Check("importers run it", remark="it offers no co-simulation: no importer was run")
+        yield Check("importers run it", remark="it offers no co-simulation", asked=False)
         return
     missing = list(find_missing_binary(fmu, planned))
     if missing:

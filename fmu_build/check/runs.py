@@ -26,7 +26,7 @@ def _run(importer: Importer[Planned], planned: Planned, traces: dict[str, Trace]
         name = f"{importer.name} {importer.find_version()} runs it"
         for standard in planned.standards:
             if standard not in importer.standards:
-                return Check(name, remark=f"not asked: it knows no {standard}")
+                return Check(name, remark=f"it knows no {standard}", asked=False)
         recording = importer.record(planned)
     except MissingError as error:
         return Check(name, skipped=str(error))
@@ -42,7 +42,7 @@ def _agreement(planned: Run, traces: dict[str, Trace], skipped: list[str]) -> Ch
         reason = f"{len(traces)} importers ran it; two are needed to compare"
         if skipped:
             return Check(name, skipped=f"{reason}, and {', '.join(skipped)} can't run here")
-        return Check(name, remark=reason)
+        return Check(name, remark=reason, asked=False)
     if not planned.outputs:
         return Check(name, remark="there are no real outputs to compare")
     count = len(planned.outputs) * planned.steps
@@ -53,8 +53,8 @@ def _agreement(planned: Run, traces: dict[str, Trace], skipped: list[str]) -> Ch
 def find_disagreements(experiment: Run, traces: Mapping[str, Trace]) -> Iterator[str]:
     """Every output whose numbers aren't finite, too few, or not the first importer's, bit by bit.
 
-    All formats hold every bit: two importers give doubles in memory, libcosimpy and Ecos too, and
-    fmi-sim the shortest decimal digits that read back as the same double.
+    All formats hold every bit: FMPy, Ecos and libcosimpy hand over doubles, fmi-sim prints the
+    shortest decimals that read back as the same double.
     """
     for name in experiment.outputs:
         for importer, trace in traces.items():

@@ -39,6 +39,7 @@ def run(options: argparse.Namespace) -> None:
 
 def _print(check: Check) -> None:
     verdict = "FOUND" if check.findings else "SKIPPED" if check.skipped else "ok   "
+    verdict = verdict if check.asked else "-    "
     remark = f" ({check.remark})" if check.remark else ""
     reasons = [*check.findings, *([check.skipped] if check.skipped else [])]
     lines = [f"{verdict} {check.name}{remark}", *(f"      {reason}" for reason in reasons)]

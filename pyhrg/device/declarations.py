@@ -43,7 +43,8 @@ class ToleranceDeclaration:
 
     name: of the cause if it is off by more, in the record format.
     family: see `Family`.
-    scale: typical size of a change of it, SI; a sensitivity is taken over a hundredth of it.
+    scale: typical size of a change of it, SI; a sensitivity is taken over a share of it
+        (docs/methods/effects.md, Eq. 1).
     tolerance: one standard deviation of the true value about the stated one, SI.
     relative_tolerance: the same over the stated value; the larger of the two holds.
     angle, periods: see `EffectDeclaration`.

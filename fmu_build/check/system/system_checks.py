@@ -27,7 +27,7 @@ def check_system(system: System) -> Iterator[Check]:
         broken |= bool(findings)
         yield Check(name, findings)
     if broken:
-        yield Check("importers run it", remark="not asked: the system is not sound")
+        yield Check("importers run it", remark="the system is not sound", asked=False)
         return
     try:
         with refuse_unreadable(system.path, "experiment that can be planned"):

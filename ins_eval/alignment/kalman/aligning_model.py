@@ -1,4 +1,4 @@
-"""The 30 states of the alignment filter: the 13 of `standing`, and 17 that vary during the record.
+"""The 30 states of the alignment filter: the 13 of `standing`, and 17 more.
 
 These are the rotation since the record's start (2), about north and east, rad, and the Gauss-Markov
 processes of bias instability: of the gyros (9), rad/s, and of the level accelerometers (6), m/s^2,

@@ -10,7 +10,7 @@ block QuasisteadyLoops "Loops that follow at once, and the forces they need"
   input Units.Angle phase "True phase against the reference";
   input Units.Angle modalAngle "True modal angle";
   input Units.DimensionlessRatio axes[4] "True {cosine and sine of the modal angle, cosine and sine of the phase}";
-  input Units.AngularVelocity coupling "Bryan coupling: the modal rate of a free pattern, negative";
+  input Units.AngularVelocity coupling "Bryan coupling 2 k Omega: minus the modal rate of a free pattern";
   input Units.RelativeDisplacement analogue[4] "Reading before noise and conversion";
   input Units.DimensionlessRatio driveGain[4] "Drives' force over command";
   input Units.RelativeForce authority "A channel clips at this force; 0: never";

@@ -63,11 +63,10 @@ def test_our_fmus_have_no_finding(name: str, fmi: int) -> None:
 )
 def test_every_importer_runs_our_fmus(importer: Importer, name: str, fmi: int) -> None:
     lines = check_delivered(name, fmi).stdout.splitlines()
-    start = f"ok    {importer.name} {importer.find_version()} runs it"
+    is_asked = f"FMI {fmi}.0" in importer.standards
+    start = f"{'ok' if is_asked else '-':6}{importer.name} {importer.find_version()} runs it"
     assert any(line.startswith(start) for line in lines), lines
-    if (
-        f"FMI {fmi}.0" in importer.standards and importer.name != "FMPy"
-    ):  # another one is needed to compare
+    if is_asked and importer.name != "FMPy":  # another one is needed to compare
         (compared,) = [line for line in lines if "importers see equal numbers" in line]
         assert compared.startswith("ok    ")
         assert importer.name in compared

@@ -1,3 +1,5 @@
+from .aided.aid import aid
+from .aided.report import AidedDrive
 from .flights.align_record import align
 from .flights.align_report import AlignedRecord
 from .flights.fly import fly, fly_log
@@ -16,11 +18,13 @@ from .system.system import write_system
 from .trajectories.catalogue import list_trajectories, load_trajectory
 
 __all__ = [
+    "AidedDrive",
     "AlignedRecord",
     "Flight",
     "ParkingComparison",
     "PositionGap",
     "StudyResult",
+    "aid",
     "align",
     "compare_parking",
     "compute_position_gap",

@@ -10,7 +10,8 @@ class SensorErrors:
     gyro_bias, accelerometer_bias: standard deviation of the constant bias, rad/s and m/s^2;
     angle_random_walk, velocity_random_walk: coefficient N, rad/sqrt(s) and m/s/sqrt(s);
     gyro_bias_instability, accelerometer_bias_instability: coefficient B, rad/s and m/s^2;
-    angle_quantization_step, velocity_quantization_step: one count of the increments, rad and m/s.
+    angle_quantization_step, velocity_quantization_step: one count of the increments, rad and m/s;
+    gyro_rate_random_walk: coefficient K, rad/s/sqrt(s).
     """
 
     gyro_bias: float = 0.0
@@ -21,3 +22,4 @@ class SensorErrors:
     accelerometer_bias_instability: float = 0.0
     angle_quantization_step: float = 0.0
     velocity_quantization_step: float = 0.0
+    gyro_rate_random_walk: float = 0.0

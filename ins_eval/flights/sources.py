@@ -23,7 +23,7 @@ from pyhrg.records.imu.table_log import format_table
 
 
 def read_record(path: str | Path, trusted: bool = False) -> RecordedImu:
-    """Read a recorded IMU log: PSINS text, CSV or Parquet, gzipped or not.
+    """Read a recorded IMU log: PSINS or KF-GINS text, CSV or Parquet, gzipped or not.
 
     Args:
         path: the file; the formats are in docs/imus.md.

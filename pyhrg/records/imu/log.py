@@ -57,6 +57,8 @@ ACCELEROMETERS = (
 )
 """`time_s` is the end of each row's interval; increments (`rotation_x_rad`, `velocity_x_m_s`) or
 means over the interval (`gyro_x_deg_s`, `accelerometer_x_m_s2`), x forward, y right, z down."""
+PATTERN = Quantity("pattern", "deg", DEG, False)
+"""Optional columns: pattern angles of whole-angle gyros at the end of each row's interval."""
 
 
 def choose_quantity(source: str, header: Sequence[str], among: Sequence[Quantity]) -> Quantity:
@@ -124,13 +126,15 @@ class RecordedImu:
 
     increments: body axes forward, right, down; position: (3,) latitude, longitude, rad, and
     height, m; None if the log states none; attitude: (3,) coarse roll, pitch and yaw at the
-    start, rad; None if the log states none; source: the file.
+    start, rad; None if the log states none; source: the file; pattern_angle: (n, 3) of whole-angle
+    gyros at the end of each interval, rad; None if the log has none.
     """
 
     increments: Increments
     position: Array | None
     attitude: Array | None
     source: str
+    pattern_angle: Array | None = None
 
     __repr__ = describe_briefly
 

@@ -3,13 +3,13 @@
 from pathlib import Path
 
 from pyhrg.common.reading.files import decode, read_unpacked
-from pyhrg.records.imu import psins
+from pyhrg.records.imu import kf_gins, psins
 from pyhrg.records.imu.log import RecordedImu
 from pyhrg.records.imu.table_log import PARQUET, read_csv, read_parquet
 
 
 def read_imu_log(path: Path, trusted: bool = False) -> RecordedImu:
-    """Read the log of an IMU: PSINS text, or CSV or Parquet (docs/imus.md), gzipped or not.
+    """Read the log of an IMU: PSINS or KF-GINS text, CSV or Parquet (docs/imus.md), gzipped or not.
 
     Args:
         path: the file.
@@ -28,4 +28,6 @@ def read_imu_log(path: Path, trusted: bool = False) -> RecordedImu:
     lines = decode(path, data).rstrip().splitlines()
     if lines and lines[0].startswith(psins.COMMENT):
         return psins.read_psins(str(path), lines, trusted)
+    if kf_gins.is_kf_gins(lines):
+        return kf_gins.read_kf_gins(str(path), lines, trusted)
     return read_csv(str(path), lines, trusted)

@@ -14,6 +14,7 @@ from pyhrg.records.imu.log import (
     ACCELEROMETERS,
     GYROS,
     MIN_ROWS,
+    PATTERN,
     ROTATION,
     TIME,
     VELOCITY,
@@ -44,7 +45,7 @@ def read_csv(source: str, lines: list[str], trusted: bool) -> RecordedImu:
     check_lengths(source, lines[1:], 2, header)
     places = [header.index(name) for name in columns]
     values = parse_numbers(source, lines[1:], 2, columns, ",", places)
-    return _build_log(source, kinds, values, 2, trusted)
+    return build_log(source, kinds, values, 2, trusted)
 
 
 def read_parquet(source: str, data: bytes, trusted: bool) -> RecordedImu:
@@ -59,7 +60,7 @@ def read_parquet(source: str, data: bytes, trusted: bool) -> RecordedImu:
         raise LogError(f"{source}: found {len(frame)} rows, expected at least {MIN_ROWS}")
     values = frame[columns].to_numpy(dtype=np.float64)
     check_finite(source, values, 1, columns)
-    return _build_log(source, kinds, values, 1, trusted)
+    return build_log(source, kinds, values, 1, trusted)
 
 
 def format_table(increments: Increments, ending: str) -> bytes | None:
@@ -79,7 +80,7 @@ def format_table(increments: Increments, ending: str) -> bytes | None:
     return data.getvalue()
 
 
-def _list_columns(kinds: tuple[Quantity, Quantity]) -> list[str]:
+def _list_columns(kinds: tuple[Quantity, ...]) -> list[str]:
     return [TIME, *(column for kind in kinds for column in kind.columns)]
 
 
@@ -91,8 +92,9 @@ def _is_number(text: str) -> bool:
     return True
 
 
-def _choose_quantities(source: str, header: list[str]) -> tuple[Quantity, Quantity]:
-    """The quantities of gyros and accelerometers that a header has beside the time."""
+def _choose_quantities(source: str, header: list[str]) -> tuple[Quantity, ...]:
+    """The quantities of gyros and accelerometers that a header has beside the time, and the pattern
+    angle if it has any of its columns."""
     if not header:
         raise LogError(f"{source}: found an empty file, expected a header and values")
     if all(_is_number(name) for name in header[0].split()):
@@ -106,25 +108,36 @@ def _choose_quantities(source: str, header: list[str]) -> tuple[Quantity, Quanti
             f"{source}: {found}; docs/imus.md lists the columns of an IMU log, "
             "`hrg campaign init` reads a bench log of other columns"
         )
-    return choose_quantity(source, header, GYROS), choose_quantity(source, header, ACCELEROMETERS)
+    kinds = [choose_quantity(source, header, among) for among in (GYROS, ACCELEROMETERS)]
+    if any(column in header for column in PATTERN.columns):
+        kinds.append(choose_quantity(source, header, [PATTERN]))
+    return tuple(kinds)
 
 
-def _build_log(
-    source: str, kinds: tuple[Quantity, Quantity], values: Array, first_row: int, trusted: bool
+def build_log(
+    source: str, kinds: tuple[Quantity, ...], values: Array, first_row: int, trusted: bool
 ) -> RecordedImu:
-    time, *readings = values[:, 0], values[:, 1:4], values[:, 4:]
+    """The log of a table: time, gyros, accelerometers, and pattern angles if there are any.
+
+    kinds: quantities of the columns after the time; values: (n, 7 or 10); first_row: number of the
+    first one in the file, for messages.
+    """
+    time, readings = values[:, 0], [values[:, 1:4], values[:, 4:7]]
+    gyros, accelerometers, *pattern = kinds
     interval = _find_interval(source, time, first_row)
     if not trusted:
         rate, force = (
-            x / interval if k.integral else x for k, x in zip(kinds, readings, strict=True)
+            x / interval if k.integral else x
+            for k, x in zip((gyros, accelerometers), readings, strict=True)
         )
-        check_plausibility(Readings(source, interval, *kinds, rate, force))
+        check_plausibility(Readings(source, interval, gyros, accelerometers, rate, force))
     rotation, velocity = (
         np.ascontiguousarray(k.factor * (x if k.integral else x * interval))
-        for k, x in zip(kinds, readings, strict=True)
+        for k, x in zip((gyros, accelerometers), readings, strict=True)
     )
     increments = Increments(interval, rotation, velocity, float(time[0]) - interval)
-    return RecordedImu(increments, None, None, source)
+    angles = np.ascontiguousarray(PATTERN.factor * values[:, 7:]) if pattern else None
+    return RecordedImu(increments, None, None, source, angles)
 
 
 def _find_interval(source: str, time: Array, first_row: int) -> float:

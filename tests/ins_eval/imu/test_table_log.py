@@ -138,3 +138,13 @@ def test_a_parquet_file_is_held_to_the_same(tmp_path: Path) -> None:
 def test_a_missing_file_is_named(tmp_path: Path) -> None:
     with pytest.raises(HrgError, match=r"none\.csv: can't be read: No such file"):
         sources.read_record(tmp_path / "none.csv")
+
+
+def test_pattern_angles_are_read_where_the_log_has_them(tmp_path: Path) -> None:
+    table = frame(resting())
+    degrees = {f"pattern_{axis}_deg": np.arange(len(table)) + i for i, axis in enumerate("xyz")}
+    found = sources.read_record(saved(table.assign(**degrees), tmp_path)).pattern_angle
+    np.testing.assert_allclose(found, np.deg2rad(np.array(list(degrees.values())).T))
+    assert sources.read_record(saved(table, tmp_path, "plain.csv")).pattern_angle is None
+    with pytest.raises(HrgError, match="no column pattern_z_deg"):
+        sources.read_record(saved(table.assign(pattern_x_deg=1, pattern_y_deg=1), tmp_path))

@@ -1,0 +1,1 @@
+"""How well drives with fixes tell the maps of whole-angle gyros (docs/methods/aided.md)."""

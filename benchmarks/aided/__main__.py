@@ -1,0 +1,127 @@
+"""Figures of docs/methods/aided.md: `python -m benchmarks.aided COMMAND [NUMBER]`.
+
+command          what it prints
+mean [TRIADS]    flights on the FMU of triads whose maps' means are calibrated (seed 1, numbers from
+                 100), in turn on four missions: fixes of 2 m at 1 Hz for two hours, then an hour
+                 without
+map [TRIADS]     the same of triads whose whole maps are calibrated
+drawn [SEEDS]    NEES of drives whose sensors' errors are drawn from the filter's own prior
+"""
+
+import sys
+
+import numpy as np
+from scipy.stats import chi2
+
+from benchmarks.aided.drawn import filter_drawn
+from benchmarks.aided.flown import STUDY_SEED, AidedTriad, fly_triads
+from ins_eval.study.experiment import load_fmu
+from ins_eval.study.gyros.drawn_triad import TriadDistribution
+from ins_eval.study.gyros.population import RAW, TRIMMED
+from ins_eval.study.scores.resampling import bootstrap
+from pyhrg.common.arrays import Array
+from pyhrg.common.units import DEG_PER_H
+
+LEARNING, TRIADS, DRAWS = 12, 16, 1000
+DRAWN_MISSIONS, DRAWN_HOURS = ("city", "aircraft"), 0.5
+SEEN = 0.1
+"""A direction among the harmonics is seen if the drive leaves at most this share of its
+variance."""
+
+
+def compute_nees(triad: AidedTriad) -> tuple[float, int, float, int]:
+    """Normalised square of the harmonics' errors and its degrees: in the directions that the drive
+    has seen, and in all."""
+    terms = triad.true.shape[1]
+    harmonics = np.flatnonzero(np.arange(triad.true.size) % terms)
+    error = (triad.told.coefficients - triad.true).ravel()[harmonics]
+    left, before = (m.joint[np.ix_(harmonics, harmonics)] for m in (triad.told, triad.prior))
+    scale = 1 / np.sqrt(np.diag(before))
+    values, vectors = np.linalg.eigh(left * np.outer(scale, scale))
+    squares = (vectors.T @ (scale * error)) ** 2 / values
+    seen = values < SEEN
+    return float(squares[seen].sum()), int(seen.sum()), float(squares.sum()), len(squares)
+
+
+def size_harmonics(errors: Array) -> float:
+    """Rms over gyros of the map's size without its mean, 1e-3 deg/h."""
+    return float(np.sqrt(np.mean(np.sum(errors[:, 1:] ** 2, axis=1) / 2)) / DEG_PER_H * 1e3)
+
+
+def print_row(triad: AidedTriad) -> None:
+    square, degrees, every, all_degrees = compute_nees(triad)
+    sizes = [
+        size_harmonics(errors)
+        for errors in (triad.true, triad.told.coefficients - triad.true, triad.bench - triad.true)
+    ]
+    print(
+        f"{triad.mission:9s} NIS {triad.innovation:.3f}  NEES seen {square / max(degrees, 1):5.2f} "
+        f"of {degrees:2d}, all {every / all_degrees:5.2f}  map {sizes[0]:5.1f}, error "
+        f"{sizes[1]:5.1f}, bench {sizes[2]:5.1f} mdeg/h  hour: {triad.free:6.0f} m, uncorrected"
+        f" {triad.uncorrected:6.0f}, another's {triad.shuffled:6.0f}, alone {triad.alone:6.0f}",
+        flush=True,
+    )
+
+
+def print_flown(method: str, count: int) -> None:
+    population = TRIMMED if method == "mean" else RAW
+    distribution = TriadDistribution(population=population, method=method)
+    fmus = load_fmu("HRG"), load_fmu("HRGSlow")
+    triads = []
+    for triad in fly_triads(fmus, distribution, LEARNING, count):
+        print_row(triad)
+        triads.append(triad)
+    squares, degrees, *_ = np.array([compute_nees(each) for each in triads]).T
+    low, high = chi2.ppf((0.005, 0.995), degrees.sum()) / degrees.sum()
+    print(
+        f"NEES of the directions seen: {squares.sum() / degrees.sum():.2f} of {degrees.sum():.0f} "
+        f"degrees, 99 % band {low:.2f} to {high:.2f}"
+    )
+    own = np.array([t.free for t in triads])
+    for name in ("uncorrected", "alone"):
+        print_ratio(f"median error over that {name}", own, [getattr(t, name) for t in triads])
+    base = [t.uncorrected for t in triads[1:]]
+    print_ratio("control, another triad's", np.array([t.shuffled for t in triads[1:]]), base)
+    print(
+        f"noise after the last fix alone: median {find_noise_median(triads):.0f} m of "
+        f"{np.median(own):.0f} m"
+    )
+    worse = np.mean([t.free > t.uncorrected for t in triads])
+    print(f"flights made worse: {worse:.0%} of {len(triads)}")
+
+
+def find_noise_median(triads: list[AidedTriad]) -> float:
+    """Median horizontal error, m, over triads and draws of the noise after the last fix."""
+    generator = np.random.default_rng(STUDY_SEED)
+    drawn = [generator.multivariate_normal(np.zeros(2), t.by_noise, DRAWS) for t in triads]
+    return float(np.median(np.linalg.norm(np.concatenate(drawn), axis=1)))
+
+
+def print_ratio(title: str, corrected: Array, base: list[float]) -> None:
+    found = bootstrap(_compare_medians, [corrected, np.array(base)], STUDY_SEED)
+    print(f"{title}: {found.value:.3f} ({found.low:.3f} to {found.high:.3f})")
+
+
+def _compare_medians(corrected: Array, uncorrected: Array) -> Array:
+    return np.asarray(np.median(corrected, axis=-1) / np.median(uncorrected, axis=-1))
+
+
+def print_drawn(count: int) -> None:
+    for mission in DRAWN_MISSIONS:
+        found = np.array(list(filter_drawn(mission, DRAWN_HOURS, count)))
+        square, degrees = found.sum(axis=0)
+        low, high = chi2.ppf((0.005, 0.995), degrees) / degrees
+        print(
+            f"{mission}: NEES {square / degrees:.3f} of {degrees:.0f} degrees in {count} drives, "
+            f"99 % band {low:.3f} to {high:.3f}",
+            flush=True,
+        )
+
+
+if __name__ == "__main__":
+    command, *rest = sys.argv[1:]
+    number = int(rest[0]) if rest else TRIADS
+    if command == "drawn":
+        print_drawn(number)
+    else:
+        print_flown(command, number)

@@ -1,0 +1,262 @@
+"""Triads of the study's population on the FMU at 1 kHz, with position fixes and then without."""
+
+from collections.abc import Iterator
+from contextlib import ExitStack
+from dataclasses import dataclass
+
+import numpy as np
+
+from ins_eval.aided.bias_map import BiasMap, read_bias_map
+from ins_eval.aided.correction import correct_increments
+from ins_eval.aided.fixes import Fixes, make_position_fixes
+from ins_eval.aided.kalman.drive import Drive, measure_turn, sample_drive
+from ins_eval.aided.kalman.forward import SEGMENT, Filter, Filtered, list_noise, run_filter
+from ins_eval.aided.kalman.measurements import displace
+from ins_eval.aided.kalman.sensors import SensorStates
+from ins_eval.aided.kalman.start import align_in_motion
+from ins_eval.common.state import position_error
+from ins_eval.error_model.dynamics import COUNT
+from ins_eval.error_model.effects import ANGULAR_GAIN, accelerometer_bias, gyro_bias, misalignment
+from ins_eval.error_model.linear_model import linearize
+from ins_eval.flights.assumed_errors import ASSUMED_FLICKER_TIMES
+from ins_eval.imu.sensor_error_model import TYPICAL_ACCELEROMETERS
+from ins_eval.mission_model.gyro_map import TERMS
+from ins_eval.mission_model.missions import SETTLING, StudyMission, plan_mission
+from ins_eval.mission_model.signals import (
+    STEADY,
+    WARMING,
+    compute_resonator_warmth,
+    list_signal_effects,
+    slice_coefficients,
+)
+from ins_eval.navigation.height import Clamped, Free
+from ins_eval.navigation.strapdown import navigate
+from ins_eval.study.cosimulated import (
+    AXES,
+    MissionTruth,
+    align_and_navigate,
+    make_increments,
+    make_noise_seeds,
+    sample_truth,
+    seed_noise,
+    tilt_input_axes,
+)
+from ins_eval.study.gyros.drawn_triad import (
+    DrawnTriad,
+    TriadDistribution,
+    draw_gyros,
+    draw_triad,
+    make_triad_seed,
+)
+from ins_eval.study.gyros.true_maps import read_flight_coefficients
+from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.common.arrays import Array
+from pyhrg.common.units import HOUR
+from pyhrg.fmu import GyroFmu, record_together
+from pyhrg.noise.coefficients import compute_process_variance
+from pyhrg.records.imu.log import Increments
+
+MISSIONS = ("car", "city", "airliner", "ship")
+AIDED_HOURS, FREE_HOURS = 2.0, 1.0
+FIX_SPACING, FIX_SIGMA = 1.0, 2.0
+"""Of the position fixes, s, and of each component, m."""
+FIRST_JUDGED, STUDY_SEED, LEARNING_SEED, FIX_SEED = 100, 1, 7, 3
+KNOWN = slice_coefficients(slice(STEADY.start, WARMING.stop))
+"""Coefficients that are states: the map at power-on and by warmth."""
+NO_ARM = np.zeros(3)
+
+
+@dataclass(frozen=True)
+class AidedTriad:
+    """One triad.
+
+    told, true, bench: maps at the end of the fixes; prior: of the maps; innovation: normalised
+    innovation squared over its degrees; free, uncorrected, shuffled: horizontal error after
+    `FREE_HOURS` without fixes, m, with the errors found, without, and with those found of another
+    triad; alone: after as long from an alignment at rest, without fixes, m; by_noise: (2, 2)
+    covariance of the position, m^2, that the sensors' noise after the last fix makes of a navigator
+    that knows all else.
+    """
+
+    mission: str
+    told: BiasMap
+    prior: BiasMap
+    true: Array
+    bench: Array
+    innovation: float
+    free: float
+    uncorrected: float
+    shuffled: float
+    alone: float
+    by_noise: Array
+
+
+def learn_deviations(slow: GyroFmu, distribution: TriadDistribution, triads: int) -> Array:
+    """(k,) rms over gyros of each of the coefficients `KNOWN` in flight."""
+    found = [
+        read_flight_coefficients(slow, gyro.flight.device, gyro.flight.rise)
+        for number in range(triads)
+        for gyro in draw_gyros(slow, distribution, np.random.default_rng([LEARNING_SEED, number]))
+    ]
+    return np.sqrt(np.mean(np.square(found), axis=0))[KNOWN]
+
+
+def fly_triads(
+    fmus: tuple[GyroFmu, GyroFmu], distribution: TriadDistribution, learning: int, count: int
+) -> Iterator[AidedTriad]:
+    """Triads in turn on `MISSIONS`; fmus: `HRG` and `HRGSlow`."""
+    deviations = learn_deviations(fmus[1], distribution, learning)
+    missions = [plan_mission(name, AIDED_HOURS + FREE_HOURS) for name in MISSIONS]
+    truths = [sample_truth(mission) for mission in missions]
+    other: Array | None = None
+    for number in range(count):
+        seed = make_triad_seed(STUDY_SEED, FIRST_JUDGED + number)
+        triad = draw_triad(fmus[1], distribution, seed)
+        place = number % len(missions)
+        generator = np.random.default_rng([FIX_SEED, number])
+        flown = _Flown(fmus[0], missions[place], truths[place], triad, generator)
+        found = flown.filter(list_states(distribution, triad, deviations))
+        yield flown.judge(fmus[1], found, other if other is not None else 0 * found.coefficients)
+        other = found.coefficients
+
+
+def list_states(
+    distribution: TriadDistribution, triad: DrawnTriad, deviations: Array
+) -> SensorStates:
+    """What is known of a triad before its flight: the population and its noise coefficients."""
+    devices = [flown.device for flown in triad.flights]
+    flicker = [np.sqrt(compute_process_variance(d.bias_instability)) for d in devices]
+    sized = [
+        *zip(list_signal_effects()[KNOWN], deviations, strict=True),
+        *((effect, distribution.mounting) for effect in misalignment("gyro")),
+        *((gyro_bias(time), flicker) for time in ASSUMED_FLICKER_TIMES),
+        (accelerometer_bias(), distribution.accelerometer_bias),
+    ]
+    sizes = np.array([np.broadcast_to(size, AXES) for _, size in sized])
+    walks = np.zeros_like(sizes)
+    walks[0] = [device.rate_random_walk for device in devices]
+    noise = [*(d.angle_random_walk for d in devices), *[TYPICAL_ACCELEROMETERS.random_walk] * AXES]
+    return SensorStates(tuple(effect for effect, _ in sized), sizes, walks, np.array(noise))
+
+
+def measure(
+    fast: GyroFmu, truth: MissionTruth, triad: DrawnTriad, noise: np.random.SeedSequence
+) -> tuple[Increments, Array]:
+    """Increments of a triad from power-on, and (n, 3) detected pattern angles, rad."""
+    true = truth.increments
+    rates = true.rotation @ tilt_input_axes(triad.mounting).T / true.interval
+    seeds, accelerometers = make_noise_seeds(noise)
+    moving = []
+    for axis, flown in enumerate(triad.flights):
+        inputs = {
+            "angularRate": rates[:, axis],
+            "caseTemperature": flown.case_temperature(true.bounds[:-1]),
+        }
+        inputs |= {f"acceleration{x}": truth.forces[axis][:, i] for i, x in enumerate("XYZ")}
+        moving.append({name: values[:, None] for name, values in inputs.items()})
+    with ExitStack() as stack:
+        on = [
+            stack.enter_context(
+                fast.power_on(f.device.fmu_parameters(), seed=seed, start_angle=f.power_on_angle)
+            )
+            for f, seed in zip(triad.flights, seeds, strict=True)
+        ]
+        names = ["gyroAngle", "patternAngle"]
+        recorded = record_together(on, moving, [{}] * AXES, true.interval, names)
+    ends = np.stack([each for each, _ in recorded], axis=1)
+    return make_increments(truth, triad, ends[:, :, 0], accelerometers), ends[:, :, 1]
+
+
+def propagate_noise(drive: Drive, first: int, states: SensorStates, truth: Trajectory) -> Array:
+    """Covariance (2, 2) of the position at a drive's end, m^2, by noise from a step on."""
+    kalman = Filter(states, np.zeros((COUNT, COUNT)), drive.step)
+    kalman.covariance[:] = 0.0
+    for begin in range(first, drive.steps, round(SEGMENT / drive.step)):
+        end = min(begin + round(SEGMENT / drive.step), drive.steps)
+        at = truth.state(drive.increments.start + begin * drive.step)
+        _, motion = drive.navigate(at, begin, end)
+        model = linearize(motion, Free(), states.effects)
+        noise = list_noise(model.constant_errors, states.noise, drive.step)
+        for k in range(len(model)):
+            kalman.predict(model.transition[k], model.inputs[k].reshape(COUNT, -1), noise[k])
+    return np.asarray(kalman.covariance[:2, :2])
+
+
+class _Flown:
+    """A triad's flight with fixes."""
+
+    def __init__(
+        self,
+        fast: GyroFmu,
+        mission: StudyMission,
+        truth: MissionTruth,
+        triad: DrawnTriad,
+        generator: np.random.Generator,
+    ) -> None:
+        self._mission, self._truth, self._triad = mission, truth, triad
+        self._trajectory = mission.trajectory()
+        self._all, pattern = measure(fast, truth, triad, seed_noise(triad, 0))
+        first = round(SETTLING / self._all.interval)
+        self._used = self._all.between(first, len(self._all))
+        turned, angle = measure_turn(self._used, pattern[first:])
+        self._turned = turned - angle / ANGULAR_GAIN
+        self._drive = sample_drive(self._used, self._turned)
+        self._fixes = self._fix(generator)
+        self._last = int((AIDED_HOURS * HOUR - self._used.start) / self._drive.step)
+
+    def _fix(self, generator: np.random.Generator) -> Fixes:
+        time = np.arange(self._used.start, AIDED_HOURS * HOUR, FIX_SPACING)
+        errors = generator.normal(0.0, FIX_SIGMA, (len(time), 3))
+        pairs = zip(self._trajectory.position(time), errors, strict=True)
+        return make_position_fixes(time, np.array([displace(p, e) for p, e in pairs]), FIX_SIGMA)
+
+    def filter(self, states: SensorStates) -> Filtered:
+        self._states = states
+        start = align_in_motion(self._drive, self._fixes, states, NO_ARM)
+        return run_filter(self._drive, self._fixes, states, start, NO_ARM, self._last)
+
+    def judge(self, slow: GyroFmu, found: Filtered, other: Array) -> AidedTriad:
+        time = AIDED_HOURS * HOUR
+        count = len(self._states)
+        own, zero = found.covariance[-count:, -count:], np.zeros(3)
+        prior = np.diag(np.ravel(self._states.deviations) ** 2)
+        maps = [
+            read_bias_map(self._states, zero, mean, covariance, time)
+            for mean, covariance in ((found.coefficients, own), (np.zeros(count), prior))
+        ]
+        alone = np.linalg.norm(align_and_navigate(self._truth, self._all), axis=1)
+        kept = round(FREE_HOURS * HOUR / self._mission.interval) - 1
+        free, uncorrected, shuffled = (
+            self._navigate(found, each) for each in (found.coefficients, None, other)
+        )
+        return AidedTriad(
+            mission=self._mission.name,
+            told=maps[0],
+            prior=maps[1],
+            true=np.array([self._read_map(slow, axis, time) for axis in range(AXES)]),
+            bench=np.array([each.fitted_map[:TERMS] for each in self._triad.measured]),
+            innovation=float(np.mean([u.square for u in found.updates])) / 3,
+            free=free,
+            uncorrected=uncorrected,
+            shuffled=shuffled,
+            alone=float(alone[kept]),
+            by_noise=propagate_noise(self._drive, self._last, self._states, self._trajectory),
+        )
+
+    def _read_map(self, slow: GyroFmu, axis: int, time: float) -> Array:
+        flown = self._triad.flights[axis]
+        terms = read_flight_coefficients(slow, flown.device, flown.rise)[KNOWN].reshape(3, 2, TERMS)
+        warmth = float(compute_resonator_warmth(np.array(time)))
+        return np.asarray(terms[:, 0].T @ warmth ** np.arange(3))
+
+    def _navigate(self, found: Filtered, coefficients: Array | None) -> float:
+        first = self._last * self._drive.rows
+        count = (len(self._used) - first) // 2 * 2
+        part = self._used.between(first, first + count)
+        if coefficients is not None:
+            turned = self._turned[first : first + count + 1]
+            part = correct_increments(part, turned, self._states, coefficients, part.start)
+        heights = Clamped(self._trajectory.position(part.bounds)[:, 2])
+        way = navigate(found.state, part, heights, count)
+        error = position_error(way.position, self._trajectory.position(way.time))
+        return float(np.linalg.norm(error[-1, :2]))

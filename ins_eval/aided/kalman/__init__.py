@@ -1,0 +1,1 @@
+"""The error-state filter, its smoother, and the alignment in motion that they begin with."""

@@ -1,0 +1,39 @@
+"""States of the sensors: coefficients of effects, with what is known of them before a drive."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ins_eval.error_model.effects import Effect
+from ins_eval.error_model.linear_model import AXES
+from pyhrg.common.arrays import Array
+
+
+@dataclass(frozen=True)
+class SensorStates:
+    """c = 3 e coefficients of e effects, effect by effect, three axes each.
+
+    effects: of gyros and accelerometers; deviations: (e, 3) of the coefficients, SI, at the
+    beginning, and always where an effect has a correlation time; walks: (e, 3) density of a random
+    walk of the coefficients, SI per root of s; noise: (6,) coefficient N of the angle random walk
+    of each gyro, rad/sqrt(s), and of the velocity random walk of each accelerometer,
+    m/s/sqrt(s).
+    """
+
+    effects: tuple[Effect, ...]
+    deviations: Array
+    walks: Array
+    noise: Array
+
+    def __len__(self) -> int:
+        return AXES * len(self.effects)
+
+    def list_persistence(self, step: float) -> Array:
+        """(c,) correlation of each coefficient over a step, s."""
+        times = np.array([effect.correlation_time for effect in self.effects])
+        return np.repeat(np.exp(-step / times), AXES)
+
+    def list_driving_variance(self, step: float) -> Array:
+        """(c,) variance that a step, s, adds to each coefficient."""
+        wandering = np.ravel(self.deviations) ** 2 * (1 - self.list_persistence(step) ** 2)
+        return np.asarray(wandering + step * np.ravel(self.walks) ** 2)

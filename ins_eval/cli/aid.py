@@ -1,0 +1,35 @@
+"""`hrg aid`: the maps of gyros and the way of a vehicle, from a log with position fixes."""
+
+import argparse
+from pathlib import Path
+
+import ins_eval
+from pyhrg.common.cli import collect_given
+from pyhrg.common.files import check_output_folder
+
+HELP = "find the errors of an IMU, maps of gyros among them, from a drive with position fixes"
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    add = parser.add_argument
+    add("log", type=Path, metavar="LOG", help="recorded log of an IMU; of whole-angle gyros with "
+        "their pattern angles (docs/imus.md)")  # fmt: skip
+    add("fixes", type=Path, metavar="FIXES", help="CSV of positions, velocities, speeds in the "
+        "log's time (docs/aided.md)")  # fmt: skip
+    add("--errors-of", metavar="NAME|FILE", help="ready IMU or IMU TOML: the errors known before "
+        "the drive (default simple)")  # fmt: skip
+    add("--lever-arm-m", type=float, nargs=3, metavar=("X", "Y", "Z"), help="from IMU to antenna: "
+        "forward, right, down (default 0 0 0)")  # fmt: skip
+    add("--hold-out-h", type=float, metavar="H", help="hours at the end whose fixes only judge the "
+        "position without fixes (default 0)")  # fmt: skip
+    add("--out", type=Path, default=Path("hrg-aid"), metavar="DIR", help="output folder "
+        "(default hrg-aid)")  # fmt: skip
+
+
+def run(options: argparse.Namespace) -> None:
+    check_output_folder(options.out)
+    names = ("errors_of", "lever_arm_m", "hold_out_h")
+    found = ins_eval.aid(options.log, options.fixes, **collect_given(options, names))
+    found.write(options.out)
+    print(found.summary)
+    print(f"\nwritten to {options.out}: {', '.join(found.files)}")

@@ -1,0 +1,1 @@
+"""Tests of `ins_eval.aided`."""

@@ -1,0 +1,68 @@
+"""A drive of whole-angle gyros with position fixes, as files."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from ins_eval.aided.kalman.measurements import displace
+from ins_eval.flights.sources import load_imu_at_rate
+from ins_eval.mission_model.gyro_map import TERMS, measure_gyro_map
+from ins_eval.study.gyros.true_maps import list_slow_parameters
+from ins_eval.trajectories.catalogue import load_trajectory
+from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.common.arrays import Array
+from pyhrg.fmu import GyroFmu
+
+SEED, RATE_HZ, SECONDS = 4, 50, 2400.0
+BEGIN = 90.0
+"""Time at which the record begins, s: the vehicle moves."""
+SIGMA = 1.5
+LEVER_ARM = (1.0, 0.5, -1.5)
+IMU = "typical-hrg"
+
+
+@dataclass(frozen=True)
+class DrivenFiles:
+    """log, fixes: files; trajectory: the truth; maps: (3, TERMS) true bias maps, rad/s."""
+
+    log: Path
+    fixes: Path
+    trajectory: Trajectory
+    maps: Array
+
+
+def drive(folder: Path, slow: GyroFmu) -> DrivenFiles:
+    """City traffic with fixes of `SIGMA` each second."""
+    imu = load_imu_at_rate(IMU, RATE_HZ)
+    trajectory = load_trajectory("city", BEGIN + SECONDS + 10)
+    true = trajectory.increments(BEGIN, imu.interval, round(SECONDS / imu.interval))
+    reading = imu.measure(true, SEED)
+    columns = {"time_s": true.bounds[1:]}
+    for axis, name in enumerate("xyz"):
+        columns[f"rotation_{name}_rad"] = reading.increments.rotation[:, axis]
+        columns[f"velocity_{name}_m_s"] = reading.increments.velocity[:, axis]
+        columns[f"pattern_{name}_deg"] = np.rad2deg(reading.pattern_angle[:, axis])
+    log, fixes = folder / "drive.csv", folder / "fixes.csv"
+    pd.DataFrame(columns).to_csv(log, index=False)
+    write_fixes(fixes, trajectory, BEGIN + np.arange(0.5, SECONDS))
+    benches = imu.gyros.draw(np.random.default_rng(SEED))
+    parameters = [list_slow_parameters(bench.device) for bench in benches]
+    maps = np.array([measure_gyro_map(slow, each)[:TERMS] for each in parameters])
+    return DrivenFiles(log, fixes, trajectory, maps)
+
+
+def write_fixes(path: Path, trajectory: Trajectory, time: Array) -> None:
+    errors = np.random.default_rng(SEED).normal(0.0, SIGMA, (len(time), 3))
+    arms = trajectory.mat_nb(time) @ np.array(LEVER_ARM)
+    pairs = zip(trajectory.position(time), arms + errors, strict=True)
+    latitude, longitude, height = np.array([displace(p, e) for p, e in pairs]).T
+    columns = {
+        "time_s": time,
+        "latitude_deg": np.rad2deg(latitude),
+        "longitude_deg": np.rad2deg(longitude),
+        "height_m": height,
+        "position_sigma_m": SIGMA,
+    }
+    pd.DataFrame(columns).to_csv(path, index=False)

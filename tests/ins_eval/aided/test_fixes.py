@@ -1,0 +1,65 @@
+"""Fixes from files: what is read, and what is refused."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from ins_eval.aided.fixes import read_fixes
+from pyhrg.common.errors import HrgError
+
+HEADER = "time_s,latitude_deg,longitude_deg,height_m,position_sigma_m"
+ROWS = [f"{t},45.0,7.5,300.0,2.0" for t in range(40)]
+
+
+def write(folder: Path, header: str, rows: list[str]) -> Path:
+    path = folder / "fixes.csv"
+    path.write_text("\n".join([header, *rows]) + "\n")
+    return path
+
+
+def test_groups_may_be_empty_in_a_row(tmp_path: Path) -> None:
+    header = f"{HEADER},height_sigma_m,speed_m_s,speed_sigma_m_s"
+    rows = [row + (",3.0,," if t % 2 else ",,1.5,0.1") for t, row in enumerate(ROWS)]
+    rows.append("40,,,,,,2.0,0.1")
+    fixes = read_fixes(write(tmp_path, header, rows))
+    assert len(fixes) == 41
+    assert fixes.has_position.sum() == 40
+    np.testing.assert_allclose(fixes.position[0], [np.deg2rad(45), np.deg2rad(7.5), 300])
+    np.testing.assert_allclose(fixes.position_sigma[:2], [[2, 2, 2], [2, 2, 3]])
+    np.testing.assert_array_equal(np.isfinite(fixes.speed[:4]), [True, False, True, False])
+    assert not np.isfinite(fixes.velocity).any()
+
+
+@pytest.mark.parametrize(
+    ("header", "rows", "message"),
+    [
+        ("", [], "column time_s is missing; found an empty file"),
+        ("time_s,latitude_deg", [], "column longitude_deg is missing; found time_s, latitude_deg"),
+        (HEADER + ",speed_m_s", [], "column speed_sigma_m_s is missing"),
+        (HEADER + ",time_s", [], "column time_s appears more than once"),
+        (HEADER, ROWS[:20], "found 20 positions, expected at least 30"),
+        (HEADER, [*ROWS, "39,45,7.5,300,2"], "row 42, time_s: found 39 after 39, expected time to"),
+        (HEADER, [*ROWS, "50,45,7.5,,2"], "row 42, height_m: found nothing"),
+        (HEADER, [*ROWS, "50,4500,7.5,300,2"], "row 42, latitude_deg: found 4500, expected -89"),
+        (HEADER, [*ROWS, "50,45,7.5,300,0"], "row 42, position_sigma_m: found 0, expected 0.0001"),
+        (HEADER, [*ROWS, "50,45,7.5,300,2 m"], "row 42, position_sigma_m: found '2 m'"),
+        (HEADER, [*ROWS, ",45,7.5,300,2"], "row 42, time_s: found '', expected a number"),
+        (HEADER, [*ROWS, "50,nan,7.5,300,2"], "row 42, latitude_deg: found nan, expected -89"),
+    ],
+)
+def test_bad_files_are_refused(tmp_path: Path, header: str, rows: list[str], message: str) -> None:
+    with pytest.raises(HrgError, match=message):
+        read_fixes(write(tmp_path, header, rows))
+
+
+def test_text_of_kf_gins_is_read(tmp_path: Path) -> None:
+    rows = [f"{456250 + t:.3f}   30.44 114.47 21.1   0.3 0.4  0.9 " for t in range(40)]
+    fixes = read_fixes(write(tmp_path, rows[0], rows[1:]))
+    assert len(fixes) == 40
+    np.testing.assert_allclose(fixes.position[0], [np.deg2rad(30.44), np.deg2rad(114.47), 21.1])
+    np.testing.assert_allclose(fixes.position_sigma[0], [0.125**0.5, 0.125**0.5, 0.9])
+    with pytest.raises(HrgError, match="row 3, latitude_deg: found 3044, expected -89"):
+        read_fixes(write(tmp_path, rows[0], [rows[1], rows[2].replace("30.44", "3044"), *rows[3:]]))
+    with pytest.raises(HrgError, match="row 2: found 6 fields, expected 7"):
+        read_fixes(write(tmp_path, rows[0], [rows[1].replace("0.9", ""), *rows[2:]]))

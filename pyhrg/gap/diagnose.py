@@ -19,6 +19,7 @@ from pyhrg.device.device import Device
 from pyhrg.gap.closing.closing import Closing, Residuals, close_gap
 from pyhrg.gap.closing.equation.closed_file import CLOSED_FILES, write_closed_files
 from pyhrg.gap.closing.equation.refinement import refine_terms
+from pyhrg.gap.closing.origin import take_out_origins
 from pyhrg.gap.closing.term_verification import verify_terms
 from pyhrg.gap.closing.verification import compute_gap_figures
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue, NoiseEffect
@@ -210,6 +211,7 @@ def diagnose(
     closing = close_gap(simulation, attribution, tests)
     report("verifying, and looking for the next test")
     closing = verify_terms(simulation, attribution, tests, closing)
+    closing = take_out_origins(simulation, closing, tests, attribution.channel_noise)
     summary = _summarize(
         campaign.device, simulation, catalogue, attribution, prepared, closing, bound
     )

@@ -2,7 +2,8 @@
 
 Every nominal value is a little wrong, and so is every bench. Such a parameter has a normal prior
 about its told value, with its tolerance as the standard deviation. It takes part in every
-hypothesis (docs/methods/effects.md, Eqs. 10 to 12). So has the form of a cause without a name.
+hypothesis (docs/methods/effects.md, Eqs. 10 to 12). So has the form of a cause without a name. A
+parameter may also be wrong by far more: it is then a group of a set (Eq. 12a).
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -80,30 +81,44 @@ class KnownParameters:
 
     @cached_property
     def marginal(self) -> Design:
-        """Normal equations of all other groups, with the known parameters integrated out."""
+        """Normal equations of all other groups, and of known parameters beyond their tolerance,
+        with the known parameters within it integrated out."""
         if not self.tolerances:
             return self._apart
         whole, known, others = self._apart, self._known, self._others
-        cross = whole.gram[np.ix_(known, others)]
-        gain = self._solve(cross)
+        beyond = self._list_columns(self.effects)
+        free, rows = np.concatenate([others, beyond]), np.isin(known, beyond)
+        gain = self._solve(whole.gram[np.ix_(known, free)])
         own = self._solve(whole.projection[known])
+        left = (gain / self._prior_variance[:, None])[rows]
+        cross, count = whole.gram[np.ix_(known, others)], len(others)
+        gram = whole.gram[np.ix_(free, free)]
+        gram[:count, :count] -= cross.T @ gain[:, :count]
+        gram[count:], gram[:count, count:] = left, left[:, :count].T
+        projection = whole.projection[free]
+        projection[:count] -= cross.T @ own
+        projection[count:] = (own / self._prior_variance)[rows]
+        scale = 1 / np.sqrt(np.concatenate([self._left_by_forms, gram.diagonal()[count:]]))
         places = np.full(len(whole.projection), -1)
-        places[others] = np.arange(len(others))
-        scale = 1 / np.sqrt(self._left_by_forms)
-        is_seen = ~np.isin(others, self._find_shared_effects())
-        gram = whole.gram[np.ix_(others, others)] - cross.T @ gain
+        places[free] = np.arange(len(free))
+        is_seen = ~np.isin(free, self._find_shared_effects())
         return replace(
             whole,
             gram=gram * np.outer(scale, scale),
-            projection=(whole.projection[others] - cross.T @ own) * scale,
+            projection=projection * scale,
             power=whole.power - float(whole.projection[known] @ own),
-            norms=whole.norms[others] / scale * is_seen,
-            columns={g: places[c] for g, c in whole.columns.items() if g not in self.tolerances},
+            norms=whole.norms[free] / scale * is_seen,
+            columns={
+                g: places[c]
+                for g, c in whole.columns.items()
+                if g not in self.tolerances or g in self.effects
+            },
             log_volume=self._log_volume,
         )
 
     def estimate(self, sizes: Sizes) -> dict[Effect, Array]:
-        """(d,) most probable departure of each known parameter beside groups of these sizes, SI."""
+        """(d,) most probable departure of each known parameter beside groups of these sizes, SI;
+        all of it where the parameter is one of them."""
         return {g: v for g, v in self._estimate_all(sizes).items() if isinstance(g, Effect)}
 
     def complete(self, sizes: Sizes) -> dict[Group, Array]:
@@ -142,15 +157,19 @@ class KnownParameters:
             projection = projection - whole.gram[np.ix_(self._known, own)] @ unit
         values = self._solve(projection) / whole.norms[self._known]
         return {
-            g: values[end - g.size : end] for g, end in zip(self._groups, self._ends, strict=True)
+            g: values[end - g.size : end] + sizes.get(g, 0.0)
+            for g, end in zip(self._groups, self._ends, strict=True)
         }
 
     def compute_covariances(self, groups: Sequence[Group]) -> dict[Effect | Form, Array]:
-        """(d, d) covariance of each of these beside fitted groups, SI."""
+        """(d, d) covariance of each of these beside fitted groups, SI. Known parameters among the
+        groups have no tolerance."""
         whole, count = self._apart, len(self._known)
-        where = np.concatenate([self._known, *(whole.columns[group] for group in groups)])
-        information = whole.gram[np.ix_(where, where)].copy()
-        information[:count, :count] += np.diag(1 / self._prior_variance)
+        others = [whole.columns[group] for group in groups if group not in self._groups]
+        where = np.concatenate([self._known, *others])
+        information = whole.gram[np.ix_(where, where)]
+        is_fitted = np.isin(self._known, self._list_columns(set(groups) & set(self._groups)))
+        information[:count, :count] += np.diag(~is_fitted / self._prior_variance)
         scale = 1 / whole.norms[self._known]
         total = np.linalg.inv(information)[:count, :count] * np.outer(scale, scale)
         parts = [slice(end - g.size, end) for g, end in zip(self._groups, self._ends, strict=True)]

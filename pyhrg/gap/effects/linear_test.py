@@ -18,6 +18,9 @@ from pyhrg.gap.replay.simulation import compute_carrier_terms
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, compute_temperature_slopes
 from pyhrg.gap.whitening.whitening import WhitenedSeries, whiten
 
+MAX_ORIGIN = 1.0
+"""Standard deviation of the angle from which an output angle counts, rad. Chosen: far above any, so
+that the prior is flat."""
 Group = Effect | CandidateTerm
 """What a group of the design's columns stands for."""
 
@@ -71,7 +74,8 @@ class LinearTest:
     @cached_property
     def unmodelled(self) -> Mapping[str, Array]:
         """(n,) shapes by channel that the simulation lacks, of a size up to about 1: the next order
-        of the carrier's average, and of the thermometer's lag (docs/methods/whitening.md, Eq. 18).
+        of the carrier's average, and of the thermometer's lag; in the output angle its origin, with
+        which the pattern's start is wrong too (docs/methods/whitening.md, Eqs. 18 and 19).
         """
         device, interval = self.device, self.test.log.interval
         shapes = dict(compute_carrier_terms(device, self.test, self.where.pattern_angle))
@@ -80,6 +84,8 @@ class LinearTest:
         kelvin = lag * (lag + interval) / 2 / device.thermal_lag * bend
         for channel, slope in compute_temperature_slopes(device).items():
             shapes[channel] = shapes[channel] + slope * kelvin
+        origin = 1 - self.bryan_factor * self.slopes["gyro_angle"]
+        shapes["gyro_angle"] = MAX_ORIGIN * origin
         return shapes
 
     def at_measured_angle(self, series: Array, angles: Array, channel: str) -> Array:

@@ -1,8 +1,9 @@
 """Marginal likelihood (evidence) of sets of groups by Laplace's method.
 
 A group is an effect or a candidate term with its d columns. The prior of its size is flat in
-direction and in the logarithm of its length in sigma (docs/methods/evidence.md, Eqs. (3), (4);
-R. E. Kass, A. E. Raftery, J. Am. Stat. Assoc. 90 (1995), Eq. (3)).
+direction and in the logarithm of its length in sigma, and that of an effect falls beyond its
+typical size (docs/methods/evidence.md, Eqs. (3) to (4a); R. E. Kass, A. E. Raftery, J. Am. Stat.
+Assoc. 90 (1995), Eq. (3)).
 """
 
 import math
@@ -44,6 +45,8 @@ boundary of "strong" evidence in Kass and Raftery (1995), Sect. 3.2."""
 # effect of 6 sigma has a log evidence of about 15.
 EFFECT_ODDS = 0.25
 """Some effect of the catalogue takes part, shared equally among the effects."""
+BEYOND_ODDS = 0.25
+"""Some known parameter is off by far more than its tolerance, shared equally."""
 NOISE_ODDS = 0.05
 """A given noise of the catalogue exceeds its stated level."""
 UNNAMED_ODDS = 0.05
@@ -101,14 +104,12 @@ def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
     unit = dpotrs(factor, projection)[0]
     explained = float(projection @ unit)
     log_evidence = explained / 2 - float(np.log(diagonal).sum())
-    for group, part in zip(groups, parts, strict=True):
-        own, size = unit[part], part.stop - part.start
-        length = math.sqrt(max(float(own @ gram[part, part] @ own), size))
-        log_evidence += _prior_constant(size) - size * math.log(length)
-        log_evidence += design.log_volumes[group]
     scale = 1 / design.norms[where]
-    covariance = dpotrs(factor, np.eye(len(where)))[0] * np.outer(scale, scale)
     values = unit * scale
+    for group, part in zip(groups, parts, strict=True):
+        length = math.sqrt(float(unit[part] @ gram[part, part] @ unit[part]))
+        log_evidence += _log_prior(design, group, length, values[part])
+    covariance = dpotrs(factor, np.eye(len(where)))[0] * np.outer(scale, scale)
     return Fit(
         tuple(groups),
         log_evidence,
@@ -116,6 +117,19 @@ def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
         tuple(values[part] for part in parts),
         tuple(covariance[part, part] for part in parts),
     )
+
+
+def _log_prior(design: Design, group: Group, length: float, values: Array) -> float:
+    """What the prior of a group's size adds to the log evidence, at a size of this length in sigma
+    (Eqs. (4), (4a))."""
+    size = len(values)
+    log_density = _prior_constant(size) - size * math.log(max(length, math.sqrt(size)))
+    if not isinstance(group, Effect) or not length:
+        return log_density + design.log_volumes[group]
+    magnitude = math.hypot(*values)
+    log_norms = sum(map(math.log, design.norms[design.columns[group]]))
+    log_density += size * math.log(length / magnitude) - log_norms
+    return log_density - math.log1p(magnitude / group.scale if group.family == "gyro" else length)
 
 
 def log_evidence(power: Array, size: int) -> Array:

@@ -7,7 +7,6 @@ classes").
 
 import math
 from collections.abc import Collection, Iterable
-from dataclasses import replace
 
 import numpy as np
 
@@ -35,8 +34,7 @@ def find_known_equivalents(
     allowed = _find_beyond(known, best) - {cause}
     alone = _score_set(known, nominal, others, known.effects)
     freed = _score_set(known, nominal, [*others, cause], allowed)
-    stated = known.marginal.log_likelihood + best.log_evidence
-    threshold = max(alone, freed - EQUIVALENCE_LOG_ODDS, stated - EQUIVALENCE_LOG_ODDS)
+    threshold = max(alone, max(freed, best.log_evidence) - EQUIVALENCE_LOG_ODDS)
     return tuple(
         other.name
         for other in candidates
@@ -51,21 +49,17 @@ def _score_set(
     groups: Collection[Group],
     allowed: Collection[Effect],
 ) -> float:
-    """Log likelihood of a set whose sizes are integrated out, up to a constant. Known parameters
-    within it may have any size, the others have their tolerances; only the allowed ones may be
-    beyond. Minus infinity where they are, the sizes can't be told apart, or no gyro has them."""
-    tolerances = {e: size for e, size in known.tolerances.items() if e not in groups}
-    beside = replace(known, tolerances=tolerances)
-    design = beside.marginal
+    """Log evidence of a set; of known parameters that are no groups of it, only the allowed ones
+    may be beyond their tolerance. Minus infinity where others are, the sizes can't be told apart,
+    or no gyro has them."""
+    design = known.marginal
     if not set(groups) <= set(design.groups):
         return -math.inf
     fitted = fit(design, list(groups))
     effects = [group for group in groups if isinstance(group, Effect)]
     if fitted is None or not make_feasibility_check(nominal, effects)(fitted):
         return -math.inf
-    if not _find_beyond(beside, fitted) <= set(allowed):
-        return -math.inf
-    return design.log_likelihood + fitted.log_evidence
+    return fitted.log_evidence if _find_beyond(known, fitted) <= {*allowed, *groups} else -math.inf
 
 
 def _find_beyond(known: KnownParameters, fitted: Fit) -> set[Effect]:

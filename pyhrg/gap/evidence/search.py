@@ -15,7 +15,7 @@ from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Design
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.linear_test import Group
-from pyhrg.gap.evidence.evidence import EFFECT_ODDS, UNNAMED_ODDS, Fit, fit
+from pyhrg.gap.evidence.evidence import BEYOND_ODDS, EFFECT_ODDS, UNNAMED_ODDS, Fit, fit
 from pyhrg.gap.evidence.extension import Extensions
 
 Key = frozenset[int]
@@ -126,14 +126,22 @@ def _select_next(fits: Mapping[Key, tuple[Fit, float]], extended: Collection[Key
 
 def list_prior_log_odds(groups: Sequence[Group]) -> list[float]:
     """Prior log odds that each group takes part (Eq. (6))."""
-    effects = sum(isinstance(g, Effect) for g in groups)
-    terms = sum(not isinstance(g, Effect | Jump) for g in groups)
+    kinds = [_name_kind(group) for group in groups]
+    odds = {
+        "effect": EFFECT_ODDS,
+        "known": BEYOND_ODDS,
+        "term": UNNAMED_ODDS,
+    }
     return [
-        g.log_odds
-        if isinstance(g, Jump)
-        else math.log(EFFECT_ODDS / effects if isinstance(g, Effect) else UNNAMED_ODDS / terms)
-        for g in groups
+        g.log_odds if isinstance(g, Jump) else math.log(odds[kind] / kinds.count(kind))
+        for g, kind in zip(groups, kinds, strict=True)
     ]
+
+
+def _name_kind(group: Group) -> str:
+    if isinstance(group, Effect):
+        return "effect" if group.family == "gyro" else "known"
+    return "jump" if isinstance(group, Jump) else "term"
 
 
 def _normalize(scored: Sequence[tuple[Fit, float]]) -> Ranking:

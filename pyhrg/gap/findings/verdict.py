@@ -99,6 +99,8 @@ def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[
     known = posterior.best.exact
     covariances = dict(zip(best.groups, best.covariances, strict=True))
     for effect, size in best.named.items():
+        if effect in known.effects:
+            continue
         total = effect.vector(nominal) + size
         others = [e.name for e in find_equivalents(attribution.design, best, effect, effects)]
         others += posterior.equivalents(effect.name)

@@ -28,6 +28,7 @@ from pyhrg.gap.soundness.glitches import check_glitches, mend_inputs
 from pyhrg.gap.soundness.inputs import CONTINUOUS_INPUTS, complete_inputs
 from pyhrg.gap.soundness.interruption import mend_drive
 from pyhrg.gap.soundness.mounting import find_mounting_faults, mend_mounting
+from pyhrg.gap.soundness.origin import mend_origin
 from pyhrg.gap.soundness.resonator import (
     check_amplitude,
     check_swapped_forces,
@@ -247,7 +248,8 @@ def _screen_test(
     try:
         require_steady_temperature(log, nominal)
         complete, missing, filled = complete_inputs(apply_exclusions(log, wrong_inputs), nominal)
-        log, interrupted = mend_drive(complete, nominal)
+        log, moved = mend_origin(complete, nominal)
+        log, interrupted = mend_drive(log, nominal)
     except HrgError as error:
         return "; ".join([f"{test.id}: not used: {error}", *notes, *changes])
     angles = check_angles(log, nominal)
@@ -277,6 +279,7 @@ def _screen_test(
             *_list_notes(complete),
             *changes,
             *filled,
+            *moved,
             *interrupted,
             *(exclusion.sentence for exclusion in (*angles, *others, *glitches)),
         ),

@@ -39,7 +39,7 @@ def log_likelihood(residuals: Sequence[Residual], noise: NoiseModel) -> float:
     total = 0.0
     for residual in residuals:
         own = noise.add_reading_noise(residual.noise.reading_noise)
-        white = whiten(residual.values[:, None], residual.steps, own)
+        white = whiten(residual.values[:, None], residual.steps, own, residual.unmodelled)
         deviance = float((white.series**2).sum()) + white.log_determinant
         total -= deviance / 2 / (1 + residual.model_error)
     return total

@@ -6,7 +6,13 @@ from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ins_eval.error_model.error_budget import BODY, COMPONENTS, Weights, sum_contributions
+from ins_eval.error_model.error_budget import (
+    BODY,
+    COMPONENTS,
+    Weights,
+    separate_keys,
+    sum_contributions,
+)
 from ins_eval.error_model.linear_model import AXES
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, HOUR
@@ -23,7 +29,8 @@ def plot_budget(weights: Weights, budget: xr.Dataset, title: str = "Error budget
     """Plot weights and the budget that `compute_budget` made of them."""
     figure = Figure(figsize=(11, 11), layout="constrained")
     rows = figure.subplots(3, 2, sharey="row")
-    contribution = _select_largest(budget.contribution)
+    named = [separate_keys(effect)[0] for effect in budget.effect.values]
+    contribution = _select_largest(budget.contribution.assign_coords(effect=named))
     for column, component in enumerate(COMPONENTS):
         own = contribution.sel(component=component)
         _plot_weights(rows[0, column], weights.model.time, weights.sensors[:, column, :AXES])
@@ -35,7 +42,7 @@ def plot_budget(weights: Weights, budget: xr.Dataset, title: str = "Error budget
         ):
             rows[row, column].set_title(f"{component}: {title_end}")
             rows[row, column].grid(alpha=0.25)
-    rows[0, 0].set_ylabel("final error per gyro error, m/arcsec, symlog axis")
+    rows[0, 0].set_ylabel("final error per gyro error,\nm/arcsec, symlog axis")
     rows[1, 0].set_ylabel("contribution to the final error, m")
     rows[0, 1].legend(title="axis", fontsize="small")
     figure.legend(*rows[1, 0].get_legend_handles_labels(), loc="outside lower center", ncols=3)

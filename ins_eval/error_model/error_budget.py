@@ -84,6 +84,13 @@ def compute_budget(
     )
 
 
+def separate_keys(effect: str) -> tuple[str, str]:
+    """Name of an effect, and the keys that state it: in brackets behind the name, if there are
+    any."""
+    name, _, keys = effect.removesuffix(")").partition(" (")
+    return name, keys
+
+
 def sum_contributions(budget: xr.Dataset) -> Array:
     """Return the sum (2,) of all contributions: the final error north and east, m."""
     return np.asarray(

@@ -77,8 +77,12 @@ def sample_truth(plan: Plan, trajectory: Trajectory) -> Truth:
 
 @dataclass(frozen=True)
 class Run:
-    """One flight; alignment: None when it started from the truth."""
+    """One flight.
 
+    seed: of its IMU; alignment: None when it started from the truth.
+    """
+
+    seed: int
     measured: ImuReading
     alignment: Alignment | None
     track: Track
@@ -147,7 +151,7 @@ def _run(plan: Plan, truth: Truth, imu: Imu, seed: int) -> Run:
         standing = truth.alignment(measured.increments)
         alignment = align(standing, truth.position, imu.errors)
     track = _navigate(plan, truth, measured.increments, alignment)
-    return Run(measured, alignment, track)
+    return Run(seed, measured, alignment, track)
 
 
 def _navigate(plan: Plan, truth: Truth, measured: Increments, alignment: Alignment | None) -> Track:

@@ -29,8 +29,10 @@ from ins_eval.error_model.linear_model import (
 from ins_eval.error_model.motion import Motion, sample_motion, step_mean
 from ins_eval.flights.assumed_errors import AssumedErrors, assume_errors
 from ins_eval.flights.flight import Run, Truth, hold_height
+from ins_eval.flights.gyro_causes import replay_causes
 from ins_eval.flights.plan import Plan
-from ins_eval.imu.imu import Imu, ImuReading
+from ins_eval.imu.gyros import FmuGyros
+from ins_eval.imu.imu import Imu
 from pyhrg.common.arrays import Array
 from pyhrg.records.imu.log import Increments
 
@@ -124,7 +126,11 @@ def prepare_flight_model(
 
 def compute_error_budget(plan: Plan, truth: Truth, imu: Imu, run: Run) -> Budget:
     """Contributions to the final error of a flight whose sensors' errors are known; what the
-    alignment's error holds beyond their mean counts as initial error."""
+    alignment's error holds beyond their mean counts as initial error.
+
+    Errors of gyros of a device are split by its keys, all others by the effects of the linear
+    model.
+    """
     grid = choose_steps(plan)
     error = sensor_error(run.measured.increments, truth.increments)
     motion = _motion(plan, truth, -grid.alignment, grid.alignment + grid.flight)
@@ -137,20 +143,28 @@ def compute_error_budget(plan: Plan, truth: Truth, imu: Imu, run: Run) -> Budget
         initial[ATTITUDE] = turned.as_rotvec() - _explain_attitude_error(before, error)
         initial[ATTITUDE] -= _explain_attitude_error(before, deflected)
         model = join_models(before, model)
-    assumed = assume_errors(imu, _first_angle(imu, run.measured, motion.start)).constant
     found = compute_weights(model)
-    signals = decompose_errors(error, motion, assumed.effects, assumed.deviations, assumed.noise)
+    signals = _split_errors(imu, truth, run.seed, error, motion)
     if any(truth.trajectory.deflection):
         signals[DEFLECTION] = deflected
     return Budget(compute_budget(found, signals, initial), found)
 
 
-def _first_angle(imu: Imu, measured: ImuReading, start: float) -> Array | None:
-    """(3,) pattern angles when a motion starts, of gyros along the body axes that have them."""
-    if measured.pattern_angle is None or not np.allclose(imu.mounting.axes, np.eye(3)):
-        return None
-    before = round((start - measured.increments.start) / measured.increments.interval) - 1
-    return np.asarray(measured.pattern_angle[max(before, 0)])
+def _split_errors(
+    imu: Imu, truth: Truth, seed: int, error: Increments, motion: Motion
+) -> dict[str, Increments]:
+    """Signals by cause, which sum to the error; those of the run's gyros from their devices."""
+    assumed = assume_errors(imu).constant
+    if not isinstance(imu.gyros, FmuGyros):
+        return decompose_errors(error, motion, assumed.effects, assumed.deviations, assumed.noise)
+    known = replay_causes(imu, imu.gyros, truth.increments, seed, motion.start, motion.step)
+    grid = motion.start, motion.step, len(motion)
+    rest = sum_over_steps(error, *grid)
+    for signal in known.values():
+        rest = sensor_error(rest, sum_over_steps(signal, *grid))
+    assumed = assumed.without_gyros
+    parts = decompose_errors(rest, motion, assumed.effects, assumed.deviations, assumed.noise)
+    return {**known, **parts}
 
 
 def _deflection_error(motion: Motion, deflection: tuple[float, float]) -> Increments:

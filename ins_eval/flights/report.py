@@ -16,6 +16,7 @@ from ins_eval.alignment.result import Alignment
 from ins_eval.common.state import position_error
 from ins_eval.error_model.budget_figure import plot_budget
 from ins_eval.error_model.error_budget import COLUMNS as SIGMA_COLUMNS
+from ins_eval.error_model.error_budget import separate_keys
 from ins_eval.flights.linear import COLUMNS, Budget
 from ins_eval.flights.plan import Plan
 from ins_eval.results import flights
@@ -253,9 +254,15 @@ def _budget_lines(flight: Flight) -> list[str]:
     }
     which = "" if flight.plan.runs == 1 else " of run 1"
     lines = ["", f"budget{which}, m"]
-    lines += [_line(effect, [*sums[effect], math.hypot(*sums[effect])]) for effect in sums]
+    lines += [_cause_line(effect, [*row, math.hypot(*row)]) for effect, row in sums.items()]
     total = [sum(parts) for parts in zip(*sums.values(), strict=True)]
     return [*lines, _line("sum: the linear model's error", [*total, math.hypot(*total)])]
+
+
+def _cause_line(effect: str, row: list[float]) -> str:
+    """A line whose keys, if the effect names any, stand behind the numbers."""
+    name, keys = separate_keys(effect)
+    return f"{_line(name, row)}   {keys}".rstrip()
 
 
 def _line(label: str, row: list[float]) -> str:

@@ -1,6 +1,6 @@
 """Three gyros that are simulated by their FMU."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -71,7 +71,12 @@ class FmuGyros:
     ) -> GyroReading:
         """Simulate the gyros on the true motion."""
         self.check_interval(truth.interval)
-        benches = self.draw(generator)
+        return self.record(self.draw(generator), truth, mounting)
+
+    def record(
+        self, benches: Sequence[Bench], truth: Increments, mounting: Mounting
+    ) -> GyroReading:
+        """Simulate drawn gyros on the true motion."""
         forces = [resolve_force_in_case(truth, axis) for axis in mounting.axes]
         components = mounting.project(truth.rotation)
         outputs = simulate_together(benches, components, forces, truth.interval)
@@ -90,17 +95,31 @@ class FmuGyros:
             devices = [with_start_up(each) for each in devices]
         return [Bench(fmu, device, seed=int(generator.integers(2**63))) for device in devices]
 
+    def change(self, change: Callable[[Device], Device]) -> "FmuGyros":
+        """The gyros of changed parameters; what is drawn of them stays."""
+        differences = tuple(
+            {name: getattr(changed, name) for name in own}
+            for own, changed in zip(self.differences, map(change, self.stated_devices), strict=True)
+        )
+        return replace(self, device=change(self.device), differences=differences)
+
+    @property
+    def stated_devices(self) -> list[Device]:
+        """The three gyros before anything of them is drawn."""
+        return [replace(self.device, **own) for own in self.differences]
+
     @property
     def map_sizes(self) -> tuple[MapSizes, ...]:
         """Sizes of the three gyros' errors over the pattern angle."""
-        devices = [replace(self.device, **own) for own in self.differences]
-        return tuple(size_maps(each, self.own_axes, self.calibrated) for each in devices)
+        return tuple(
+            size_maps(each, self.own_axes, self.calibrated) for each in self.stated_devices
+        )
 
     @property
     def errors(self) -> SensorErrors:
         """Sensor errors of one gyro that a linear model should assume; the bias is that at rest,
         at any pattern angle."""
-        devices = [replace(self.device, **own) for own in self.differences]
+        devices = self.stated_devices
         return SensorErrors(
             gyro_bias=_rms([sizes.rest_bias for sizes in self.map_sizes]),
             angle_random_walk=_rms([device.angle_random_walk for device in devices]),

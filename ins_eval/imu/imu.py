@@ -65,14 +65,21 @@ class Imu:
                 f"found increments over {truth.interval:g} s, expected {self.interval:g} s"
             )
         generator = np.random.default_rng(seed)
-        aside = np.random.Generator(np.random.PCG64(seed).jumped())
-        mounting = self.mounting.disturb(self.mounting_deviation, aside)
+        mounting, _ = self.draw_mounting(seed)
         reading = self.gyros.measure(truth, mounting, generator)
         velocity = self.accelerometers.measure(truth.velocity, truth.interval, generator)
         increments = Increments(
             truth.interval, mounting.decode(reading.rotation), velocity, truth.start
         )
         return ImuReading(increments, reading.pattern_angle, reading.ready)
+
+    def draw_mounting(
+        self, seed: int | np.random.SeedSequence
+    ) -> tuple[Mounting, np.random.Generator]:
+        """Mounting of the unit that a seed draws, and the generator that has drawn it, beside that
+        of the sensors."""
+        aside = np.random.Generator(np.random.PCG64(seed).jumped())
+        return self.mounting.disturb(self.mounting_deviation, aside), aside
 
     def from_power_on(self) -> "Imu":
         """Return the same IMU for a record that begins when it is switched on."""

@@ -67,8 +67,7 @@ def draw_unit(imu: Imu, count: int, seed: int | np.random.SeedSequence) -> Unit:
         )
     _check_accelerometers(imu)
     generator = np.random.default_rng(seed)
-    aside = np.random.Generator(np.random.PCG64(seed).jumped())
-    mounting = imu.mounting.disturb(imu.mounting_deviation, aside)
+    mounting, aside = imu.draw_mounting(seed)
     benches = imu.gyros.draw(generator)
     gyros = []
     for bench in benches:

@@ -2,11 +2,12 @@
 
 A field of a dataclass is declared by `parameter`. From the declarations follow the keys of device
 files (`pyhrg.device.keys`), the names in the FMU (`pyhrg.device.fmu_parameters`), the catalogue of
-effects (`pyhrg.gap.effects.catalogue`) and the coordinates that an effect shows in
-(`pyhrg.challenge.scoring.score`).
+effects (`pyhrg.gap.effects.catalogue`), the errors of a flight's budget (`pyhrg.device.causes`)
+and the coordinates that an effect shows in (`pyhrg.challenge.scoring.score`).
 """
 
 import math
+import re
 from dataclasses import dataclass, field, fields
 from typing import Literal
 
@@ -73,6 +74,17 @@ class Declaration:
     effect: EffectDeclaration | None
     noise: EffectDeclaration | None
     known: ToleranceDeclaration | None
+    group: str
+
+    @property
+    def cause(self) -> str:
+        """Name of what is wrong where the value is not the ideal one, in the record format; empty
+        if the value belongs to the design."""
+        if self.group:
+            return self.group
+        if self.effect:
+            return self.effect.name
+        return self.known.name if self.known and self.known.family in ("bench", "record") else ""
 
 
 def parameter(
@@ -86,6 +98,7 @@ def parameter(
     effect: EffectDeclaration | None = None,
     noise: EffectDeclaration | None = None,
     known: ToleranceDeclaration | None = None,
+    group: str = "",
 ) -> float:
     """A field of a dataclass that is a parameter of a gyro.
 
@@ -100,6 +113,8 @@ def parameter(
         effect: set if a diagnosis may name it.
         noise: set if a diagnosis may find it as a noise.
         known: set if it is known within a tolerance; a diagnosis identifies it with all else.
+        group: name of the error that this parameter makes together with others; that of its effect
+            if empty.
     """
     declaration = Declaration(
         keys=(key,) if isinstance(key, str) else key,
@@ -110,6 +125,7 @@ def parameter(
         effect=effect,
         noise=noise,
         known=known,
+        group=group,
     )
     return field(default=default, metadata={"declaration": declaration})
 
@@ -119,3 +135,21 @@ def read_declarations(parameters: type) -> dict[str, Declaration]:
     return {
         f.name: f.metadata["declaration"] for f in fields(parameters) if "declaration" in f.metadata
     }
+
+
+USUAL = {
+    "g sensitive": "g-sensitive",
+    "coriolis": "Coriolis",
+    "duffing": "Duffing",
+    "pickoff": "pick-off",
+    "nonorthogonality": "non-orthogonality",
+}
+"""Words as they are usually written, by those of the record format."""
+
+
+def format_effect(name: str) -> str:
+    """An effect's name in words, with the field's hyphens and capitals."""
+    words = re.sub("(?<!nominal)_temperature$", "_over_temperature", name).replace("_", " ")
+    for plain, usual in USUAL.items():
+        words = words.replace(plain, usual)
+    return words

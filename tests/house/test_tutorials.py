@@ -1,4 +1,5 @@
-"""Every block of every tutorial and first page runs, in order, in an empty folder."""
+"""Every block of every tutorial and first page runs, in order, in an empty folder, and prints what
+the page shows."""
 
 import os
 import re
@@ -11,9 +12,12 @@ import matplotlib as mpl
 import pytest
 
 from pyhrg.common.cli import main
+from tests.ins_eval.flights.test_documentation import assert_alike
 from tests.modules import load_file
 
 DOCS = Path(__file__).parents[2] / "docs"
+OUTPUT = re.compile(r"\n*^```\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+"""What a block prints: a fence without a language, right behind it."""
 PAGES = sorted((*DOCS.glob("tutorials/[a-z]*.md"), *DOCS.glob("start/[a-z]*.md")))
 
 
@@ -27,14 +31,21 @@ def run_command(command: str) -> None:
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
-def test_a_tutorial_runs(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_tutorial_runs(
+    page: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
     """A block is a file (its name stands behind the language), commands, or Python."""
     monkeypatch.chdir(tmp_path)
     mpl.use("agg")
     names: dict[str, object] = {}
     notebooks = load_file(DOCS / "site" / "notebooks.py")
-    blocks = notebooks.BLOCK.findall(page.read_text(encoding="utf-8"))
-    for language, name, text in blocks:
+    source = page.read_text(encoding="utf-8")
+    blocks = list(notebooks.BLOCK.finditer(source))
+    for block in blocks:
+        language, name, text = block.groups()
         if name:
             (tmp_path / name).write_text(text, encoding="utf-8")
         elif language == "python":
@@ -43,4 +54,8 @@ def test_a_tutorial_runs(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyP
             assert language == "console"
             for command in re.findall(r"^\$ (.*)$", text, re.M):
                 run_command(command)
+        printed = capsys.readouterr().out.splitlines()
+        if shown := OUTPUT.match(source, block.end()):
+            for found, expected in zip(printed, shown[1].splitlines(), strict=True):
+                assert_alike(found, expected)
     assert len(blocks) > 2

@@ -24,6 +24,7 @@ class ScalarParameters(ShellParameters):
         limits=(-0.5, 0.5),
         fmu="controller.quadratureSetpoint",
         effect=EffectDeclaration("residual_quadrature", 1e-3, ("wave_angle",), 10),
+        group="frequency_split_and_phase_errors",
     )
     """Set point of the quadrature loop [q0], amplitude units."""
     amplitude_loop: float = parameter(

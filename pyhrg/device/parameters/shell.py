@@ -57,6 +57,7 @@ class ShellParameters:
         effect=EffectDeclaration(
             "damping_anisotropy_temperature", 0.05, ("temperature", "wave_angle"), 18
         ),
+        group="damping_anisotropy",
     )
     """Relative change of the damping anisotropy with temperature, 1/K."""
     frequency: float = parameter(
@@ -84,6 +85,7 @@ class ShellParameters:
         effect=EffectDeclaration(
             "frequency_split", 2e-4 * HZ, ("wave_angle",), 2, angle="stiffness_axis", periods=4
         ),
+        group="frequency_split_and_phase_errors",
     )
     """Difference of the modes' circular frequencies [dw], rad/s."""
     stiffness_axis: float = parameter(
@@ -179,6 +181,7 @@ class ShellParameters:
         limits=(-1, 1),
         fmu="pickOff.phaseError",
         effect=EffectDeclaration("demodulation_phase_error", 1e-2, ("rate", "wave_angle"), 8),
+        group="frequency_split_and_phase_errors",
     )
     """Phase that the demodulation adds to both channels [p], rad."""
     phase_per_kelvin: float = parameter(
@@ -186,6 +189,7 @@ class ShellParameters:
         limits=(-0.01, 0.01),
         fmu="pickOff.phasePerKelvin",
         effect=EffectDeclaration("phase_temperature", 1e-4, ("temperature", "wave_angle"), 20),
+        group="frequency_split_and_phase_errors",
     )
     """Change of p with temperature, rad/K."""
     differential_phase: float = parameter(
@@ -193,6 +197,7 @@ class ShellParameters:
         limits=(-1, 1),
         fmu="pickOff.differentialPhase",
         effect=EffectDeclaration("differential_phase_error", 1e-2, ("wave_angle",), 9),
+        group="frequency_split_and_phase_errors",
     )
     """Phase of x over that of y: x turned by half of it, y by minus half, rad."""
     demodulation_offset: float = parameter(
@@ -203,7 +208,10 @@ class ShellParameters:
     )
     """Added to the in-phase x channel [x0], amplitude units."""
     demodulation_offset_y: float = parameter(
-        key="demodulation_offset_y", limits=(-0.1, 0.1), fmu="pickOff.offsetY"
+        key="demodulation_offset_y",
+        limits=(-0.1, 0.1),
+        fmu="pickOff.offsetY",
+        group="demodulation_offset",
     )
     """Added to the in-phase y channel [y0], amplitude units."""
     feedthrough: float = parameter(

@@ -3,6 +3,7 @@
 import textwrap
 
 from pyhrg.common.pages.svg import format_interval, format_number
+from pyhrg.device.declarations import format_effect
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.effects.catalogue import EFFECTS
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, GapFigure, KnownValue
@@ -12,7 +13,6 @@ from pyhrg.gap.report.terms import describe_class, describe_term, find_nearest, 
 from pyhrg.gap.report.words import (
     CHANNELS,
     COORDINATES,
-    format_effect,
     format_name,
     format_percent,
     join_words,

@@ -1,9 +1,9 @@
 """Names, numbers and tables as the page shows them."""
 
 import html
-import re
 from collections.abc import Sequence
 
+from pyhrg.device.declarations import format_effect
 from pyhrg.device.device import Device
 from pyhrg.device.keys import KEYS
 from pyhrg.gap.effects.catalogue import Effect
@@ -50,14 +50,6 @@ COORDINATES = {
     "time": "time",
     "noise": "noise, or no coordinate",
 }
-USUAL = {
-    "g sensitive": "g-sensitive",
-    "coriolis": "Coriolis",
-    "duffing": "Duffing",
-    "pickoff": "pick-off",
-    "nonorthogonality": "non-orthogonality",
-}
-"""Words as they are usually written, by those of the record format."""
 PLACES = {
     "bias": "Bias",
     "readout": "Read-out",
@@ -98,14 +90,6 @@ def format_term_unit(unit: str) -> str:
 def format_name(name: str) -> str:
     """A name of the record format with spaces in place of underscores."""
     return name.replace("_", " ")
-
-
-def format_effect(name: str) -> str:
-    """An effect's name in words, with the field's hyphens and capitals."""
-    words = re.sub("(?<!nominal)_temperature$", "_over_temperature", name).replace("_", " ")
-    for plain, usual in USUAL.items():
-        words = words.replace(plain, usual)
-    return words
 
 
 def format_group(group: Group) -> str:

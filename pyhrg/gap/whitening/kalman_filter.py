@@ -32,8 +32,7 @@ def compute_innovations(
     equal steps and variances the filter becomes stationary.
     """
     m = len(lags) + 2
-    state = np.zeros((m, series.shape[1]))
-    innovation = np.zeros(series.shape[1])
+    state, innovation = np.zeros((m, series.shape[1])), np.zeros(series.shape[1])
     reading, covariance = np.zeros(m), np.zeros((m, m))
     reading[0] = 1.0
     for j in range(m - 2):

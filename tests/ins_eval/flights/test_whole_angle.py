@@ -7,12 +7,10 @@ import pytest
 from scipy.stats import chi2
 
 from benchmarks.nees import TURNTABLE, compute_nees, without_pick_off_map
-from ins_eval.error_model.decomposition import decompose_errors, sensor_error
 from ins_eval.error_model.effects import pick_off_map
 from ins_eval.error_model.motion import sample_motion, step_mean
 from ins_eval.flights.assumed_errors import assume_errors
 from ins_eval.flights.flight import Runs, Truth, fly_runs, sample_truth
-from ins_eval.flights.linear import compute_error_budget
 from ins_eval.flights.plan import Plan
 from ins_eval.imu import gyros
 from ins_eval.imu.imu import Imu
@@ -70,20 +68,6 @@ def test_position_and_attitude_are_within_their_sigma(truth: Truth, imu: Imu, fl
 def test_without_the_pick_off_map_they_are_not(truth: Truth, imu: Imu, flown: Runs) -> None:
     before = without_pick_off_map(assume_errors(imu))
     assert max(compute_nees(PLAN, truth, flown, before)) > 5
-
-
-def test_budget_has_the_pick_off_map(truth: Truth, imu: Imu, flown: Runs) -> None:
-    """It explains the down gyro's angle, whose error was noise and rest."""
-    measured = flown.first.measured
-    assert measured.pattern_angle is not None
-    assumed = assume_errors(imu, measured.pattern_angle[0]).constant
-    motion = sample_motion(truth.trajectory, 0.0, 0.5, 80)
-    error = sensor_error(measured.increments, truth.increments)
-    parts = decompose_errors(error, motion, assumed.effects, assumed.deviations, assumed.noise)
-    swing = {name: np.ptp(np.cumsum(part.rotation[:, 2])) for name, part in parts.items()}
-    assert swing["pick-off map, harmonic 4"] > 10 * swing["noise and rest"]
-    table = compute_error_budget(PLAN, truth, imu, flown.first).table
-    assert "pick-off map, harmonic 4" in set(table["effect"])
 
 
 def test_effect_is_the_fmus(fmu: GyroFmu, tmp_path: Path) -> None:

@@ -2,9 +2,9 @@
 
 import pytest
 
+from pyhrg.device.declarations import format_effect
 from pyhrg.gap.effects.catalogue import DETERMINISTIC, NOISES
 from pyhrg.gap.report.words import (
-    format_effect,
     format_percent,
     join_words,
     parse_parameter,

@@ -94,7 +94,7 @@ def sample_drive(increments: Increments, turned: Array) -> Drive:
 
 
 def measure_turn(increments: Increments, pattern: Array | None) -> Array:
-    """(n + 1, 3) turn of each gyro at the bounds of the increments, rad: since its pattern angle was
+    """(n + 1, 3) turn of each gyro at the bounds of increments, rad: since its pattern angle was
     0, or since the first bound where no pattern is known.
 
     pattern: (n, 3) angles at the end of each interval, with jumps of half turns or without; None

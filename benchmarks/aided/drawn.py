@@ -33,20 +33,20 @@ def filter_drawn(mission: str, hours: float, count: int) -> Iterator[tuple[float
     imu = load_imu_at_rate(IMU, RATE_HZ)
     truth = load_trajectory(mission, hours * HOUR + 10)
     increments = truth.increments(0.0, imu.interval, round(hours * HOUR / imu.interval))
-    turned, _ = measure_turn(increments, None)
+    turned = measure_turn(increments, None)
     for seed in range(count):
         generator = np.random.default_rng(seed)
         angle = generator.uniform(0, np.pi, AXES)
-        assumed = assume_errors(imu, angle)
+        assumed = assume_errors(imu)
         walks = np.zeros_like(assumed.deviations)
         walks[[effect.name == "gyro bias" for effect in assumed.effects]] = RATE_WALK
         density = np.repeat(
             [assumed.noise.angle_random_walk, assumed.noise.velocity_random_walk], AXES
         )
         states = SensorStates(assumed.effects, assumed.deviations, walks, density)
-        measured, true = draw_record(increments, turned, states, generator)
-        pattern = angle - ANGULAR_GAIN * turned[1:]
-        drive = sample_drive(measured, measure_turn(measured, pattern)[0])
+        begun = turned - angle / ANGULAR_GAIN
+        measured, true = draw_record(increments, begun, states, generator)
+        drive = sample_drive(measured, begun)
         time = np.arange(0.5, hours * HOUR)
         errors = generator.normal(0.0, FIX_SIGMA, (len(time), 3))
         pairs = zip(truth.position(time), errors, strict=True)

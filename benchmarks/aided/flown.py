@@ -16,7 +16,7 @@ from ins_eval.aided.kalman.sensors import SensorStates
 from ins_eval.aided.kalman.start import align_in_motion
 from ins_eval.common.state import position_error
 from ins_eval.error_model.dynamics import COUNT
-from ins_eval.error_model.effects import ANGULAR_GAIN, accelerometer_bias, gyro_bias, misalignment
+from ins_eval.error_model.effects import accelerometer_bias, gyro_bias, misalignment
 from ins_eval.error_model.linear_model import linearize
 from ins_eval.flights.assumed_errors import ASSUMED_FLICKER_TIMES
 from ins_eval.imu.sensor_error_model import TYPICAL_ACCELEROMETERS
@@ -198,8 +198,7 @@ class _Flown:
         self._all, pattern = measure(fast, truth, triad, seed_noise(triad, 0))
         first = round(SETTLING / self._all.interval)
         self._used = self._all.between(first, len(self._all))
-        turned, angle = measure_turn(self._used, pattern[first:])
-        self._turned = turned - angle / ANGULAR_GAIN
+        self._turned = measure_turn(self._used, pattern[first:])
         self._drive = sample_drive(self._used, self._turned)
         self._fixes = self._fix(generator)
         self._last = int((AIDED_HOURS * HOUR - self._used.start) / self._drive.step)
@@ -218,10 +217,10 @@ class _Flown:
     def judge(self, slow: GyroFmu, found: Filtered, other: Array) -> AidedTriad:
         time = AIDED_HOURS * HOUR
         count = len(self._states)
-        own, zero = found.covariance[-count:, -count:], np.zeros(3)
+        own = found.covariance[-count:, -count:]
         prior = np.diag(np.ravel(self._states.deviations) ** 2)
         maps = [
-            read_bias_map(self._states, zero, mean, covariance, time)
+            read_bias_map(self._states, mean, covariance, time)
             for mean, covariance in ((found.coefficients, own), (np.zeros(count), prior))
         ]
         alone = np.linalg.norm(align_and_navigate(self._truth, self._all), axis=1)

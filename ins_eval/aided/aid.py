@@ -87,8 +87,8 @@ def aid_record(
 
     lever_arm: (3,) m; held: time at the end whose fixes are not used, s.
     """
-    turned, first_angle = measure_turn(record.increments, record.pattern_angle)
-    sensors = assume_sensors(imu, record, first_angle)
+    turned = measure_turn(record.increments, record.pattern_angle)
+    sensors = assume_sensors(imu, record)
     drive = sample_drive(record.increments, turned)
     last = int((fixes.time[-1] - held - drive.increments.start) / drive.step)
     if last * drive.step < WINDOW:
@@ -111,8 +111,8 @@ def aid_record(
         filtered=filtered,
         smoothed=smooth(filtered, sensors, drive.step)[0],
         sensors=sensors,
-        bias_map=read_bias_map(sensors, first_angle, filtered.coefficients, own, known_at),
-        prior_map=read_bias_map(sensors, first_angle, np.zeros(count), prior, known_at),
+        bias_map=read_bias_map(sensors, filtered.coefficients, own, known_at),
+        prior_map=read_bias_map(sensors, np.zeros(count), prior, known_at),
         visited=None if record.pattern_angle is None else record.pattern_angle[: last * drive.rows],
         hold_out=judge_hold_out(
             record.increments.between(last * drive.rows, len(record.increments)),
@@ -128,7 +128,7 @@ def aid_record(
     )
 
 
-def assume_sensors(imu: Imu, record: RecordedImu, first_angle: Array) -> SensorStates:
+def assume_sensors(imu: Imu, record: RecordedImu) -> SensorStates:
     """States of the sensors, by the errors of an IMU.
 
     Raises:
@@ -142,7 +142,7 @@ def assume_sensors(imu: Imu, record: RecordedImu, first_angle: Array) -> SensorS
             )
         if not np.allclose(imu.mounting.axes, np.eye(AXES)):
             raise HrgError(f"{imu.name} IMU: expected gyros along forward, right, down")
-    assumed = assume_errors(imu, first_angle)
+    assumed = assume_errors(imu)
     walks = np.zeros_like(assumed.deviations)
     for number, effect in enumerate(assumed.effects):
         if effect.name == "gyro bias":

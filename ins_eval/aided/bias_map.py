@@ -54,19 +54,16 @@ class BiasMap:
 
 
 def read_bias_map(
-    sensors: SensorStates, first_angle: Array, coefficients: Array, covariance: Array, time: float
+    sensors: SensorStates, coefficients: Array, covariance: Array, time: float
 ) -> BiasMap:
     """The maps at a time, s, by coefficients (c,) and their covariance (c, c), without what wanders
-    with a correlation time.
-
-    first_angle: (3,) pattern angles that the effects begin with, rad.
-    """
-    response = _respond(sensors, first_angle, time)
+    with a correlation time. The effects are of patterns that start at angle 0."""
+    response = _respond(sensors, time)
     values = (response @ coefficients).reshape(AXES, TERMS)
     return BiasMap(values, response @ covariance @ response.T)
 
 
-def _respond(sensors: SensorStates, first_angle: Array, time: float) -> Array:
+def _respond(sensors: SensorStates, time: float) -> Array:
     """(3 TERMS, c) terms of the maps per unit of each coefficient."""
     count, none = len(ANGLES), np.zeros((len(ANGLES), AXES))
     resting = Motion(
@@ -78,7 +75,7 @@ def _respond(sensors: SensorStates, first_angle: Array, time: float) -> Array:
         mat_nb=np.zeros((count, AXES, AXES)),
         rate=none,
         force=none,
-        turned=(first_angle - ANGLES[:, None]) / ANGULAR_GAIN,
+        turned=none - ANGLES[:, None] / ANGULAR_GAIN,
     )
     project = np.linalg.pinv(evaluate_terms(ANGLES))
     response = np.zeros((AXES, TERMS, len(sensors)))

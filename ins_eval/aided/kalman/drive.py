@@ -93,16 +93,16 @@ def sample_drive(increments: Increments, turned: Array) -> Drive:
     return Drive(used, each, average(used.rotation), average(used.velocity), turned[nodes])
 
 
-def measure_turn(increments: Increments, pattern: Array | None) -> tuple[Array, Array]:
-    """(n + 1, 3) turn of each gyro at the bounds of the increments, and (3,) pattern angles at the
-    first bound, rad.
+def measure_turn(increments: Increments, pattern: Array | None) -> Array:
+    """(n + 1, 3) turn of each gyro at the bounds of increments, rad: since its pattern angle was
+    0, or since the first bound where no pattern is known.
 
     pattern: (n, 3) angles at the end of each interval, with jumps of half turns or without; None
     where nothing recorded them.
     """
     turned = np.concatenate([np.zeros((1, 3)), np.cumsum(increments.rotation, axis=0)])
     if pattern is None:
-        return turned, np.zeros(3)
+        return turned
     first = pattern[:1] + ANGULAR_GAIN * increments.rotation[:1]
     angles = np.unwrap(np.concatenate([first, pattern]), axis=0, period=np.pi)
-    return (angles[0] - angles) / ANGULAR_GAIN, angles[0]
+    return np.asarray(-angles / ANGULAR_GAIN)

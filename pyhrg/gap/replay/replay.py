@@ -200,10 +200,11 @@ def correct_temperatures(device: Device, inputs: ReplayInputs) -> Array:
     """(n + 1,) temperatures of the case at the rows' bounds, from the thermometer's readings, K.
 
     A first-order lag of the thermometer behind the case is undone by the slope of its readings; a
-    negative one is that of the case behind the thermometer."""
+    negative one is that of the case behind the thermometer. Where it is short the slope serves too:
+    a lag from row to row would smooth the thermometer's noise as well."""
     lag, interval = device.thermometer_lag, inputs.log.interval
     readings = inputs.temperatures
-    if lag < 0:
+    if lag < -SLOPE_TIME:
         readings = readings - _find_lag(readings, interval, -lag)
     else:
         readings = readings + lag * _find_slopes(readings, interval)

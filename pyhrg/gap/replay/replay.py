@@ -221,11 +221,10 @@ def _find_slopes(readings: Array, interval: float) -> Array:
 
 
 def _find_lag(readings: Array, interval: float, lag: float) -> Array:
-    """(n,) departure of readings from what follows them with a first-order lag, s, and has settled
-    at the first. A slope from row to row would smooth the thermometer's noise too, and a small lag
-    would be fitted to that."""
+    """(n,) departure of readings that are linear between rows from what follows them with a
+    first-order lag, s, and has settled at the first."""
     kept = math.exp(-interval / lag)
-    slopes = _find_slopes(readings, interval)
+    slopes = np.diff(readings, prepend=readings[0]) / interval
     return np.asarray(lfilter([lag * (1 - kept)], [1.0, -kept], slopes))
 
 

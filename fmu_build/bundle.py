@@ -202,8 +202,8 @@ def write_fmu(
     progress(f"built {path}")
 
 
-ROOMS = ("equations", "code", "c", "binaries", "archive")
-"""The rooms of this package that determine what the FMU is."""
+DIGESTED_FOLDERS = ("equations", "code", "c", "binaries", "archive")
+"""Folders whose files determine what the FMU is, and enter its digest."""
 SUFFIXES = ("py", "css", "png", "ssv", "txt", "c", "h")
 
 
@@ -215,7 +215,7 @@ def digest_sources() -> str:
     for root, pattern in (
         (find_modelica(), "**/*.mo"),
         (package, "*.py"),
-        *((package / part, f"**/*.{suffix}") for part in ROOMS for suffix in SUFFIXES),
+        *((package / part, f"**/*.{suffix}") for part in DIGESTED_FOLDERS for suffix in SUFFIXES),
     ):
         for file in sorted(root.glob(pattern)):
             digest.update(file.relative_to(root).as_posix().encode())

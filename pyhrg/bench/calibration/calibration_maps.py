@@ -16,7 +16,7 @@ import numpy as np
 from scipy import stats
 
 from pyhrg.bench.bias.position import full_circumference
-from pyhrg.bench.bias.position.full_circumference import BiasMap, fit_map, read_runs
+from pyhrg.bench.bias.position.full_circumference import RestRateMap, fit_map, read_runs
 from pyhrg.bench.estimation.harmonics import MEAN, name_terms
 from pyhrg.bench.outcome import Finding
 from pyhrg.bench.procedure import require_tests
@@ -42,7 +42,7 @@ class Calibration:
 
     bias_map: Mapping[str, Finding]
     scale_factor_map: Mapping[str, Finding]
-    positions: BiasMap
+    positions: RestRateMap
     rates: ScaleFactorMap
 
     @property
@@ -110,7 +110,9 @@ def _sum(one: AngleMap, other: AngleMap) -> AngleMap:
     return AngleMap(**{f.name: getattr(one, f.name) + getattr(other, f.name) for f in fields(one)})
 
 
-def _bias(name: str, positions: BiasMap, rates: ScaleFactorMap, earth: float, n: int) -> Finding:
+def _bias(
+    name: str, positions: RestRateMap, rates: ScaleFactorMap, earth: float, n: int
+) -> Finding:
     """A term of the position test, over runs where there are three, else of the first, less Earth's
     rate times the scale factor's (degrees of freedom: F. E. Satterthwaite, 1946)."""
     fit, values = positions.fits[0], [fit.value(name) for fit in positions.fits]

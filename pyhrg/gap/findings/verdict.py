@@ -27,8 +27,8 @@ UNEXPLAINED_PROBABILITY = 0.5
 """The verdict is `unexplained` where something outside the catalogue takes part with at least this
 probability, more probable than not, and is material (`materiality`)."""
 BEYOND_PROBABILITY = 0.975
-"""A known parameter is a cause where it is off by more than its tolerance with more than this
-probability: its 95 % interval lies beyond."""
+"""A known parameter, or a fault of bench or record, is a cause where it exceeds its tolerance with
+more than this probability: its 95 % interval lies beyond."""
 MENTIONED_PROBABILITY = 0.01
 """What may take part outside the catalogue is listed above this probability. Chosen."""
 

@@ -1,5 +1,6 @@
-"""Faults of bench and record: no parameters of a simulated gyro. Screening finds and mends them; a
-ripple of the table is found by the search.
+"""Faults of bench and record: no parameters of a simulated gyro. Screening finds and mends those of
+one log, `replay/reading_noise.py` finds noise and jitter of readings, the search a ripple of the
+table.
 
 A fault beyond its tolerance is a cause of its family. The tolerances are listed in
 docs/methods/effects.md.

@@ -42,9 +42,9 @@ the paper's eight positions, half as far apart."""
 
 
 @dataclass(frozen=True)
-class BiasMap:
-    """Output rate at rest less Earth's rate, against pattern angle: the bias, and Earth's vertical
-    rate times the map of the scale factor, which `calibration_maps.fit_maps` tells apart.
+class RestRateMap:
+    """Output rate at rest less Earth's rate, by pattern angle. It holds the bias map and Earth's
+    vertical rate times the map of the scale factor; `calibration_maps.fit_maps` separates them.
 
     harmonics: orders that are fitted.
     tilt: whether the tilt of the input axis is fitted.
@@ -156,7 +156,7 @@ def read_runs(campaign: Campaign) -> list[Points]:
 
 def fit_map(
     runs: Sequence[Points], wanted: Sequence[int] = HARMONICS, tilt: bool = True
-) -> BiasMap:
+) -> RestRateMap:
     """Bias map of the terms that the positions can separate, fitted to each run.
 
     The data points of all runs lie at the same positions.
@@ -172,7 +172,7 @@ def fit_map(
         fit(make_columns(run.pattern_angle, run.table_angle, seen, with_tilt), run.rate)
         for run in runs
     )
-    return BiasMap(tuple(seen), with_tilt, fits, tuple(refused))
+    return RestRateMap(tuple(seen), with_tilt, fits, tuple(refused))
 
 
 def evaluate(campaign: Campaign) -> Outcome:
@@ -206,7 +206,7 @@ def _describe_verdict(test: BiasTest, within: float, between: float) -> str:
     return f"{stability}; positions differ {share}."
 
 
-def draw(figure: Figure, runs: Sequence[Points], fitted: BiasMap) -> None:
+def draw(figure: Figure, runs: Sequence[Points], fitted: RestRateMap) -> None:
     axes = figure.add_subplot(
         title="Bias over the circumference" + (", tilt removed" if fitted.tilt else ""),
         xlim=(0, 180),

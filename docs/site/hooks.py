@@ -17,6 +17,17 @@ from latex2mathml.converter import convert
 
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("pyhrg", "ins_eval", "fmu_build")
+HANDED_OUT = {
+    "ins_eval": (
+        "ins_eval.imu.imu.Imu",
+        "ins_eval.imu.imu.ImuReading",
+        "ins_eval.trajectories.trajectory.Trajectory",
+        "ins_eval.common.state.State",
+        "pyhrg.records.imu.log.Increments",
+        "pyhrg.records.imu.log.RecordedImu",
+    )
+}
+"""Classes that a front door hands out and doesn't name."""
 CATALOGUE = ROOT / "modelica" / "HRG" / "UsersGuide" / "Mechanisms.mo"
 
 FORMULA = re.compile(r'<(span|div) class="arithmatex">\\[(\[](.*?)\\[)\]]</\1>', re.DOTALL)
@@ -38,12 +49,15 @@ def on_page_markdown(markdown: str, page: Any, **_: object) -> str:
 
 
 def list_public_names(package: str) -> Iterator[str]:
-    """Give a block of mkdocstrings for each name of a package's front door."""
+    """Give a block of mkdocstrings for each name of a package's front door, and for each class
+    that it hands out."""
     stub = ast.parse((ROOT / package / "__init__.pyi").read_text(encoding="utf-8"))
     imports = [node for node in stub.body if isinstance(node, ast.ImportFrom)]
     places = {alias.name: node.module for node in imports for alias in node.names}
     for name, module in sorted(places.items(), key=lambda item: item[0].lower()):
         yield f'::: {package}.{module}.{name}\n    options: {{heading: "{package}.{name}"}}'
+    for path in HANDED_OUT.get(package, ()):
+        yield f'::: {path}\n    options: {{heading: "{path.rpartition(".")[2]}"}}'
 
 
 def describe_commands() -> Iterator[str]:

@@ -22,7 +22,7 @@ DOCS = Path(__file__).parents[1] / "docs"
 GALLERY = DOCS / "gallery"
 WIDTH = 720
 """Width of a picture, px: a column of the site at twice the density of most screens is wider."""
-COLORS = 64
+COLORS = 256
 """Colours of a picture: the figures are lines and text, and shrink to a third of their bytes."""
 REPORT_VIEW = {"width": 1100, "height": 900}
 """Part of a report that its picture shows, px."""

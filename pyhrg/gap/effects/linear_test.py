@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from pyhrg.common.arrays import Array
+from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, Coordinates
 from pyhrg.gap.effects.catalogue import Effect
@@ -21,6 +22,9 @@ from pyhrg.gap.whitening.whitening import WhitenedSeries, whiten
 MAX_ORIGIN = 1.0
 """Standard deviation of the angle from which an output angle counts, rad. Chosen: far above any, so
 that the prior is flat."""
+ORIGIN_SIGMA = 1.0
+"""Departure of the first reading from the nominal one, in standard deviations of the readings'
+differences, above which the origin is free. Chosen: a smaller one is lost in the noise."""
 Group = Effect | CandidateTerm
 """What a group of the design's columns stands for."""
 
@@ -84,9 +88,16 @@ class LinearTest:
         kelvin = lag * (lag + interval) / 2 / device.thermal_lag * bend
         for channel, slope in compute_temperature_slopes(device).items():
             shapes[channel] = shapes[channel] + slope * kelvin
-        origin = 1 - self.bryan_factor * self.slopes["gyro_angle"]
-        shapes["gyro_angle"] = MAX_ORIGIN * origin
+        if self._begins_elsewhere():
+            origin = 1 - self.bryan_factor * self.slopes["gyro_angle"]
+            shapes["gyro_angle"] = MAX_ORIGIN * origin
         return shapes
+
+    def _begins_elsewhere(self) -> bool:
+        """Whether the first output angle is another than the nominal gyro's."""
+        residual = self.residual["gyro_angle"]
+        noise = estimate_robust_deviation(np.diff(residual))
+        return abs(float(residual[0])) > ORIGIN_SIGMA * noise
 
     def at_measured_angle(self, series: Array, angles: Array, channel: str) -> Array:
         """(n, p) series of a channel, referred to the measured pattern angle instead of the

@@ -9,10 +9,9 @@ from ins_eval.aided.correction import correct_increments
 from ins_eval.aided.fixes import make_position_fixes
 from ins_eval.aided.kalman.drive import measure_turn, sample_drive
 from ins_eval.aided.kalman.forward import run_filter
-from ins_eval.aided.kalman.measurements import displace
 from ins_eval.aided.kalman.sensors import SensorStates
 from ins_eval.aided.kalman.start import align_in_motion
-from ins_eval.common.state import State, Track, track_error
+from ins_eval.common.state import State, Track, displace, track_error
 from ins_eval.error_model.dynamics import HEIGHT_INTEGRAL
 from ins_eval.error_model.effects import ANGULAR_GAIN
 from ins_eval.error_model.linear_model import AXES
@@ -49,8 +48,7 @@ def filter_drawn(mission: str, hours: float, count: int) -> Iterator[tuple[float
         drive = sample_drive(measured, begun)
         time = np.arange(0.5, hours * HOUR)
         errors = generator.normal(0.0, FIX_SIGMA, (len(time), 3))
-        pairs = zip(truth.position(time), errors, strict=True)
-        fixes = make_position_fixes(time, np.array([displace(p, e) for p, e in pairs]), FIX_SIGMA)
+        fixes = make_position_fixes(time, displace(truth.position(time), errors), FIX_SIGMA)
         start = align_in_motion(drive, fixes, states, np.zeros(3))
         found = run_filter(drive, fixes, states, start, np.zeros(3))
         at = truth.track(drive.increments.start + np.array([drive.steps * drive.step]))

@@ -11,10 +11,9 @@ from ins_eval.aided.correction import correct_increments
 from ins_eval.aided.fixes import Fixes, make_position_fixes
 from ins_eval.aided.kalman.drive import Drive, measure_turn, sample_drive
 from ins_eval.aided.kalman.forward import SEGMENT, Filter, Filtered, list_noise, run_filter
-from ins_eval.aided.kalman.measurements import displace
 from ins_eval.aided.kalman.sensors import SensorStates
 from ins_eval.aided.kalman.start import align_in_motion
-from ins_eval.common.state import position_error
+from ins_eval.common.state import displace, position_error
 from ins_eval.error_model.dynamics import COUNT
 from ins_eval.error_model.effects import accelerometer_bias, gyro_bias, misalignment
 from ins_eval.error_model.linear_model import linearize
@@ -206,8 +205,9 @@ class _Flown:
     def _fix(self, generator: np.random.Generator) -> Fixes:
         time = np.arange(self._used.start, AIDED_HOURS * HOUR, FIX_SPACING)
         errors = generator.normal(0.0, FIX_SIGMA, (len(time), 3))
-        pairs = zip(self._trajectory.position(time), errors, strict=True)
-        return make_position_fixes(time, np.array([displace(p, e) for p, e in pairs]), FIX_SIGMA)
+        return make_position_fixes(
+            time, displace(self._trajectory.position(time), errors), FIX_SIGMA
+        )
 
     def filter(self, states: SensorStates) -> Filtered:
         self._states = states

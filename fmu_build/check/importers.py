@@ -1,8 +1,13 @@
 """Other people's importers of an FMU, and what installs them."""
 
-from fmu_build.check.experiment import Experiment, FailedError, Recording, Trace
+from typing import TYPE_CHECKING
+
+from fmu_build.check.experiment import Experiment, FailedError, Recording, Run, Trace
 from fmu_build.check.fmi_sim import run_fmi_sim
 from fmu_build.check.importer import Importer
+
+if TYPE_CHECKING:
+    from ecospy.EcosSimulation import EcosSimulation
 
 
 def run_fmpy(experiment: Experiment) -> Recording:
@@ -32,13 +37,18 @@ def run_ecos(experiment: Experiment) -> Recording:
     simulation = EcosSimulation(step_size=experiment.step, structure=structure)
     if not simulation.init(experiment.start, "inputs"):
         raise FailedError("it could not initialize the FMU")
-    trace: Trace = {name: [] for name in experiment.outputs}
-    for _ in range(experiment.steps):
+    return Recording(step_ecos(simulation, experiment, "fmu::"))
+
+
+def step_ecos(simulation: "EcosSimulation", run: Run, prefix: str = "") -> Trace:
+    """What an initialized simulation puts out at each step; the prefix says of which instance."""
+    trace: Trace = {name: [] for name in run.outputs}
+    for _ in range(run.steps):
         simulation.step()
         for name, values in trace.items():
-            values.append(simulation.get_real(f"fmu::{name}"))
+            values.append(simulation.get_real(prefix + name))
     simulation.terminate()
-    return Recording(trace)
+    return trace
 
 
 def run_libcosimpy(experiment: Experiment) -> Recording:

@@ -7,9 +7,8 @@ import numpy as np
 from ins_eval.aided.correction import correct_increments
 from ins_eval.aided.fixes import Fixes
 from ins_eval.aided.kalman.drive import SAMPLES
-from ins_eval.aided.kalman.measurements import displace
 from ins_eval.aided.kalman.sensors import SensorStates
-from ins_eval.common.state import State, position_error
+from ins_eval.common.state import State, displace, position_error
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from pyhrg.common.arrays import Array
@@ -72,8 +71,6 @@ def _measure_distance(
 ) -> Array:
     each = SAMPLES * max(1, round(SPACING / increments.interval / SAMPLES))
     way = navigate(start, increments, Clamped(heights), each, SAMPLES)
-    antenna = np.array(
-        [displace(p, m @ lever_arm) for p, m in zip(way.position, way.mat_nb, strict=True)]
-    )
+    antenna = displace(way.position, way.mat_nb @ lever_arm)
     at = np.stack([np.interp(fixes.time, way.time, column) for column in antenna.T], axis=-1)
     return np.asarray(np.linalg.norm(position_error(at, fixes.position)[:, :2], axis=1))

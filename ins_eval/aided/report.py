@@ -28,7 +28,7 @@ from ins_eval.results import flights
 from ins_eval.results.png import save_png
 from pyhrg.common.arrays import Array, to_json_value
 from pyhrg.common.errors import describe_briefly
-from pyhrg.common.files import stage_files
+from pyhrg.common.files import write_files
 from pyhrg.common.made_by import list_versions
 from pyhrg.common.units import DEG_PER_H
 
@@ -161,10 +161,7 @@ class AidedDrive:
         Raises:
             OSError: the folder can't be written.
         """
-        writers = self._list_writers()
-        with stage_files(Path(folder), tuple(writers)) as aside:
-            for name, writer in writers.items():
-                writer(aside / name)
+        write_files(Path(folder), self._list_writers())
 
     def _read_heading(self) -> tuple[float, float]:
         """Heading and its one-sigma, deg, at the first smoothed state."""

@@ -102,3 +102,17 @@ def position_error(position: Array, truth: Array) -> Array:
         ],
         axis=-1,
     )
+
+
+def displace(position: Array, moved: Array) -> Array:
+    """Positions (..., 3), rad and m, that lie short ways (..., 3) north, east, down, m, from
+    others."""
+    latitude, height = position[..., 0], position[..., 2]
+    return position + np.stack(
+        [
+            moved[..., 0] / (earth.meridian_radius(latitude) + height),
+            moved[..., 1] / (earth.transverse_radius(latitude) + height) / np.cos(latitude),
+            -moved[..., 2],
+        ],
+        axis=-1,
+    )

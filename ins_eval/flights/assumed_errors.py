@@ -58,9 +58,8 @@ class AssumedErrors:
         return AssumedErrors(effects, self.deviations[list(chosen)], self.noise)
 
 
-def assume_errors(imu: Imu, first_angle: Array | None = None) -> AssumedErrors:
-    """Effects of an IMU whose constants nobody knows; first_angle: (3,) pattern angles at the
-    start, rad, on which variances do not depend.
+def assume_errors(imu: Imu) -> AssumedErrors:
+    """Effects of an IMU whose constants nobody knows.
 
     A whole-angle gyro's bias and scale factor follow harmonics of its pattern angle, with cosine
     and sine of equal deviation: the same at every angle.
@@ -71,7 +70,7 @@ def assume_errors(imu: Imu, first_angle: Array | None = None) -> AssumedErrors:
         for coefficient in (errors.gyro_bias_instability, force.bias_instability)
     )
     sized = [
-        *_list_gyro_effects(imu, np.zeros(AXES) if first_angle is None else first_angle),
+        *_list_gyro_effects(imu),
         *((gyro_bias(time), gyro_process) for time in ASSUMED_FLICKER_TIMES),
         (accelerometer_bias(), force.bias.sizes(AXES)),
         *((accelerometer_bias(time), force_process) for time in ASSUMED_FLICKER_TIMES),
@@ -87,11 +86,11 @@ def assume_errors(imu: Imu, first_angle: Array | None = None) -> AssumedErrors:
     )
 
 
-def _list_gyro_effects(imu: Imu, first_angle: Array) -> list[SizedEffect]:
+def _list_gyro_effects(imu: Imu) -> list[SizedEffect]:
     """Constant effects of the gyros with their deviations, of all axes or of each."""
     if isinstance(imu.gyros, FmuGyros):
         triad = IDEAL_SENSORS
-        own = _list_map_effects(imu.gyros.map_sizes, first_angle)
+        own = _list_map_effects(imu.gyros.map_sizes)
     else:
         triad = imu.gyros.error_model
         own = [
@@ -101,8 +100,9 @@ def _list_gyro_effects(imu: Imu, first_angle: Array) -> list[SizedEffect]:
     return [*own, *_size_misalignment("gyro", triad, imu.mounting_deviation)]
 
 
-def _list_map_effects(gyros: Sequence[MapSizes], angle: Array) -> list[SizedEffect]:
-    """Effects of whole-angle gyros that begin at pattern angles (3,), rad."""
+def _list_map_effects(gyros: Sequence[MapSizes]) -> list[SizedEffect]:
+    """Effects of whole-angle gyros; the variance is the same from every pattern angle on."""
+    angle = np.zeros(AXES)
     (decay_time,) = {sizes.decay_time for sizes in gyros}
     biases = [
         (effect, [sizes.bias[harmonic] for sizes in gyros])

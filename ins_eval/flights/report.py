@@ -25,7 +25,7 @@ from ins_eval.results.map_figure import draw_map
 from ins_eval.results.png import save_png
 from pyhrg.common.arrays import Array, to_json_value
 from pyhrg.common.errors import HrgError, describe_briefly
-from pyhrg.common.files import stage_files
+from pyhrg.common.files import write_files
 from pyhrg.common.made_by import list_versions
 
 SCHEMA = "hrg-nav/1"
@@ -112,10 +112,7 @@ class Flight:
         Raises:
             OSError: the folder can't be written.
         """
-        writers = self._list_writers()
-        with stage_files(Path(folder), tuple(writers)) as aside:
-            for name, writer in writers.items():
-                writer(aside / name)
+        write_files(Path(folder), self._list_writers())
 
     def _list_writers(self) -> dict[str, Callable[[Path], Any]]:
         """Functions that write the files, by name."""

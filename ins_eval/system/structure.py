@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from fmu_build.archive.description import format_xml
+from fmu_build.archive.ssp import SPACES
 from fmu_build.archive.units import read_base_units
 from ins_eval.system.player.variables import (
     CASE_MOTION,
@@ -15,10 +16,7 @@ from ins_eval.system.player.variables import (
     SPECIFIC_FORCE,
 )
 
-SSP = "http://ssp-standard.org/SSP1/SystemStructure"
-NAMESPACES = {
-    "ssd": f"{SSP}Description",
-    "ssc": f"{SSP}Common",
+NAMESPACES = SPACES | {
     "osp": "http://opensimulationplatform.com/SSP/OSPAnnotations",
 }
 VERSIONS = ("1.0", "2.0")

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 from scipy.integrate import cumulative_simpson
 
-from ins_eval.common import earth
+from ins_eval.common.state import displace
 from ins_eval.trajectories.errors import check_durations
 from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.arrays import Array
@@ -186,7 +186,7 @@ def _join(
     each = slice(SUBSTEPS, None, SUBSTEPS)
     angles = euler + turn * ramp[:, None]
     angles[:, 2] = yaw
-    return s[each] * duration, position + _to_angles(position, moved[each]), angles[each]
+    return s[each] * duration, displace(position, moved[each]), angles[each]
 
 
 def _turn_to_vehicle(velocity: Array, yaw: float) -> Array:
@@ -205,19 +205,6 @@ def _continue_drive(drive: Drive, position: Array, euler: Array) -> tuple[Array,
         drive.time[1:],
         position + moved,
         drive.euler[1:] + turns,
-    )
-
-
-def _to_angles(origin: Array, moved: Array) -> Array:
-    """Convert displacements (n, 3), m, north, east, down, to changes of position, rad and m."""
-    latitude, _, height = origin
-    return np.stack(
-        [
-            moved[:, 0] / (earth.meridian_radius(latitude) + height),
-            moved[:, 1] / (earth.transverse_radius(latitude) + height) / np.cos(latitude),
-            -moved[:, 2],
-        ],
-        axis=-1,
     )
 
 

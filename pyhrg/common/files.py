@@ -11,7 +11,7 @@ import re
 import shutil
 import sys
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -91,6 +91,19 @@ def stage_files(out: Path, names: tuple[str, ...]) -> Iterator[Path]:
             if folder.is_dir():
                 folder.rmdir()
         raise
+
+
+def write_files(folder: Path, writers: Mapping[str, Callable[[Path], object]]) -> None:
+    """Write files, each by its own function, into a folder: all or none.
+
+    writers: by the file's name.
+
+    Raises:
+        OSError: the folder can't be written.
+    """
+    with stage_files(folder, tuple(writers)) as aside:
+        for name, write in writers.items():
+            write(aside / name)
 
 
 def _exchange(aside: Path, folder: Path) -> None:

@@ -4,9 +4,8 @@ import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 
 from fmu_build.archive.description import format_xml
+from fmu_build.archive.ssp import SPACES
 from pyhrg.device.device import Device
-
-NAMESPACE = "http://ssp-standard.org/SSP1/SystemStructureParameterValues"
 
 SET_NAME = "initialValues"
 """What every set is called: importers apply the sets of one name to a system."""
@@ -23,15 +22,15 @@ def format_parameter_set(device: Device) -> str:
 
 def format_values(values: Mapping[str, float], description: str = "") -> str:
     """Text of such a file: values by an FMU's names, in its units, and what the set is of."""
-    ET.register_namespace("ssv", NAMESPACE)
-    root = ET.Element(f"{{{NAMESPACE}}}ParameterSet", version="1.0", name=SET_NAME)
+    ET.register_namespace("ssv", SPACES["ssv"])
+    root = ET.Element(f"{{{SPACES['ssv']}}}ParameterSet", version="1.0", name=SET_NAME)
     if description:
         root.set("description", description)
-    parameters = ET.SubElement(root, f"{{{NAMESPACE}}}Parameters")
+    parameters = ET.SubElement(root, f"{{{SPACES['ssv']}}}Parameters")
     for key, value in sorted(values.items()):
-        parameter = ET.SubElement(parameters, f"{{{NAMESPACE}}}Parameter", name=key)
+        parameter = ET.SubElement(parameters, f"{{{SPACES['ssv']}}}Parameter", name=key)
         if key in INTEGERS:
-            ET.SubElement(parameter, f"{{{NAMESPACE}}}Integer", value=str(int(value)))
+            ET.SubElement(parameter, f"{{{SPACES['ssv']}}}Integer", value=str(int(value)))
         else:
-            ET.SubElement(parameter, f"{{{NAMESPACE}}}Real", value=repr(float(value)))
+            ET.SubElement(parameter, f"{{{SPACES['ssv']}}}Real", value=repr(float(value)))
     return format_xml(root)

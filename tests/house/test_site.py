@@ -85,7 +85,8 @@ def test_the_reference_has_every_public_name(site: Path, package: str) -> None:
     text = (site / "reference" / f"{package}.html").read_text(encoding="utf-8")
     titles = re.findall(r"<h2[^>]*>(.*?)</h2>", text, re.DOTALL)
     named = {re.sub(r"<[^>]*>|&para;|¶", " ", title).split()[0] for title in titles}
-    assert named == {f"{package}.{name}" for name in import_module(package).__all__}
+    front_door = {title for title in named if title.startswith(f"{package}.")}
+    assert front_door == {f"{package}.{name}" for name in import_module(package).__all__}
 
 
 def test_the_reference_has_every_command_and_mechanism(site: Path) -> None:

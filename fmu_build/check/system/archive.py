@@ -7,17 +7,13 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
+from fmu_build.archive.ssp import SPACES
 from fmu_build.check.archive import Fmu, open_fmu
 from pyhrg.common.errors import HrgError
 from pyhrg.common.reading.archives import Archive, open_archive
 from pyhrg.common.reading.documents import parse_xml
 
 STRUCTURE = "SystemStructure.ssd"
-SPACES = {
-    prefix: f"http://ssp-standard.org/SSP1/SystemStructure{name}"
-    for prefix, name in (("ssd", "Description"), ("ssc", "Common"), ("ssv", "ParameterValues"))
-}
-"""Namespaces of the documents, alike in SSP 1.0 and 2.0."""
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from itertools import groupby
 
+from fmu_build.archive.ssp import SPACES
 from fmu_build.check.experiment import (
     STEPS,
     FailedError,
@@ -19,8 +20,9 @@ from fmu_build.check.importers import (
     ECOS_MODULES,
     FMI,
     PYTHON_EXTRA,
+    step_ecos,
 )
-from fmu_build.check.system.archive import SPACES, System
+from fmu_build.check.system.archive import System
 
 SSP = ("SSP 1.0", "SSP 2.0")
 BETWEEN = "::"
@@ -73,13 +75,7 @@ def run_ecos(run: SystemRun) -> Recording:
     simulation = EcosSimulation(step_size=run.step, ssp_path=run.path)
     if not simulation.init(run.start, run.sets):
         raise FailedError("it could not initialize the system")
-    trace: Trace = {name: [] for name in run.outputs}
-    for _ in range(run.steps):
-        simulation.step()
-        for name, values in trace.items():
-            values.append(simulation.get_real(name))
-    simulation.terminate()
-    return Recording(trace)
+    return Recording(step_ecos(simulation, run))
 
 
 def run_libcosimpy(run: SystemRun) -> Recording:

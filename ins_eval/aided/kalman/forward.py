@@ -9,9 +9,9 @@ from scipy.stats import chi2
 
 from ins_eval.aided.fixes import Fixes
 from ins_eval.aided.kalman.drive import Drive
-from ins_eval.aided.kalman.measurements import Measurement, compare_fix, displace
+from ins_eval.aided.kalman.measurements import Measurement, compare_fix
 from ins_eval.aided.kalman.sensors import SensorStates
-from ins_eval.common.state import State, Track
+from ins_eval.common.state import State, Track, displace
 from ins_eval.error_model.dynamics import ATTITUDE, COUNT, POSITION, VELOCITY
 from ins_eval.error_model.linear_model import linearize
 from ins_eval.navigation.height import Free

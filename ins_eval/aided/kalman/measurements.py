@@ -7,9 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ins_eval.aided.fixes import Fixes
-from ins_eval.common import earth
 from ins_eval.common.rotation import skew
-from ins_eval.common.state import State, position_error
+from ins_eval.common.state import State, displace, position_error
 from ins_eval.error_model.dynamics import ATTITUDE, COUNT, POSITION, VELOCITY
 from pyhrg.common.arrays import Array
 
@@ -73,17 +72,3 @@ def _compare_speed(fixes: Fixes, row: int, state: State) -> Measurement:
     sensitivity[0, ATTITUDE] = forward @ skew(state.velocity)
     difference = np.array([forward @ state.velocity - fixes.speed[row]])
     return Measurement(difference, sensitivity, np.array([fixes.speed_sigma[row] ** 2]))
-
-
-def displace(position: Array, moved: Array) -> Array:
-    """The position (3,), rad and m, that lies a short way (3,) north, east, down, m, from
-    another."""
-    latitude, longitude, height = position
-    return np.array(
-        [
-            latitude + moved[0] / (earth.meridian_radius(latitude) + height),
-            longitude
-            + moved[1] / ((earth.transverse_radius(latitude) + height) * np.cos(latitude)),
-            height - moved[2],
-        ]
-    )

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from pyhrg.gap.closing.closing import Closing, Residuals
+from pyhrg.gap.effects.linear_test import shape_origin
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
@@ -38,7 +39,7 @@ def _move(
     if not rows.any():
         return before, after
     slopes = simulation.differentiate_by_angle(closing.device, test).slopes["gyro_angle"]
-    shape = 1 - closing.device.bryan_factor * slopes
+    shape = shape_origin(closing.device.bryan_factor, slopes)
     series = np.column_stack([after["gyro_angle"], shape])[rows]
     steps = np.diff(test.log.time[rows], prepend=0.0)
     white = whiten(series, steps, noise.get_model("gyro_angle", test, rows)).series

@@ -43,6 +43,14 @@ class WhitenedTerms:
     log_determinant: float
 
 
+def shape_origin(bryan_factor: float, slopes: Array) -> Array:
+    """(n,) change of an output angle per change of its origin (docs/methods/whitening.md, Eq. 19).
+
+    slopes: (n,) derivative of the output angle by the pattern angle at power-on.
+    """
+    return 1 - bryan_factor * slopes
+
+
 @dataclass(frozen=True)
 class LinearTest:
     """One test linearized around a simulated device.
@@ -89,7 +97,7 @@ class LinearTest:
         for channel, slope in compute_temperature_slopes(device).items():
             shapes[channel] = shapes[channel] + slope * kelvin
         if self._begins_elsewhere():
-            origin = 1 - self.bryan_factor * self.slopes["gyro_angle"]
+            origin = shape_origin(self.bryan_factor, self.slopes["gyro_angle"])
             shapes["gyro_angle"] = MAX_ORIGIN * origin
         return shapes
 

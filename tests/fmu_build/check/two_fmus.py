@@ -4,7 +4,7 @@ import zipfile
 from pathlib import Path
 
 from fmu_build import build_fmu
-from fmu_build.check.system.archive import SPACES
+from fmu_build.archive.ssp import SPACES
 
 PLANT, ELECTRONICS = "HRGPlant", "HRGElectronics"
 STRUCTURE = f"""<?xml version="1.0" encoding="UTF-8"?>

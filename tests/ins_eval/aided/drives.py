@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ins_eval.aided.kalman.measurements import displace
+from ins_eval.common.state import displace
 from ins_eval.flights.sources import load_imu_at_rate
 from ins_eval.mission_model.gyro_map import TERMS, measure_gyro_map
 from ins_eval.study.gyros.true_maps import list_slow_parameters
@@ -56,8 +56,7 @@ def drive(folder: Path, slow: GyroFmu) -> DrivenFiles:
 def write_fixes(path: Path, trajectory: Trajectory, time: Array) -> None:
     errors = np.random.default_rng(SEED).normal(0.0, SIGMA, (len(time), 3))
     arms = trajectory.mat_nb(time) @ np.array(LEVER_ARM)
-    pairs = zip(trajectory.position(time), arms + errors, strict=True)
-    latitude, longitude, height = np.array([displace(p, e) for p, e in pairs]).T
+    latitude, longitude, height = displace(trajectory.position(time), arms + errors).T
     columns = {
         "time_s": time,
         "latitude_deg": np.rad2deg(latitude),

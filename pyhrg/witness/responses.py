@@ -19,7 +19,7 @@ from pyhrg.common.units import DEG, STANDARD_GRAVITY
 from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import GyroFmu, record_together
-from pyhrg.witness.mechanisms import COUNT, FOLLOWED, MECHANISMS, SIGNALS, THERMAL
+from pyhrg.witness.mechanisms import COUNT, FOLLOWED, MECHANISMS, THERMAL
 
 HARMONICS = (2, 4, 6, 8)
 TERMS = 1 + 2 * len(HARMONICS)
@@ -157,15 +157,16 @@ def measure_responses(fmu: GyroFmu, device: Device, noise: Array | None = None) 
     quiet = device.without_noise()
     cool, warm, heated = Chamber(), Chamber(rise=RISES[-1]), Chamber(rate=HEATING_RATE)
     forced = Chamber(force=STANDARD_GRAVITY)
-    sizes = dict(zip(SIGNALS[1:], (HEATING_RATE, *[STANDARD_GRAVITY] * 2), strict=True))
+    by_signal = {
+        "temperature rate": (heated, HEATING_RATE),
+        "force across": (forced, STANDARD_GRAVITY),
+        "force along": (forced, STANDARD_GRAVITY),
+    }
     cases = [(quiet, each) for each in (cool, warm, heated, forced)]
     chambers: list[list[Chamber]] = []
     for place, mechanism in enumerate(MECHANISMS):
-        follows = mechanism.signal != "one"
-        always = [warm] if THERMAL[place] else [cool, warm]
-        acting = (
-            [heated if mechanism.signal == "temperature rate" else forced] if follows else always
-        )
+        steady = [warm] if THERMAL[place] else [cool, warm]
+        acting = [by_signal[mechanism.signal][0]] if mechanism.signal in by_signal else steady
         chambers.append(acting)
         changed = mechanism.add(quiet, mechanism.step)
         cases += [(changed, each) for each in acting]
@@ -175,9 +176,9 @@ def measure_responses(fmu: GyroFmu, device: Device, noise: Array | None = None) 
     for place, (mechanism, acting) in enumerate(zip(MECHANISMS, chambers, strict=True)):
         by_chamber = {each: (next(fitted) - base[each]) / mechanism.step for each in acting}
         at_rest = np.zeros((3, MOTIONS, TERMS))
-        if mechanism.signal in sizes:
-            (changed,) = by_chamber.values()
-            changes[place, :, 0] = changed / sizes[mechanism.signal]
+        if mechanism.signal in by_signal:
+            chamber, size = by_signal[mechanism.signal]
+            changes[place, :, 0] = by_chamber[chamber] / size
         else:
             at_rest = by_chamber.get(cool, at_rest)
             changes[place, :, 0] = at_rest

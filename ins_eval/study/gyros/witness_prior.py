@@ -61,10 +61,13 @@ def compute_bench_covariance(
 
 
 def widen_prior(prior: Prior, device: Device) -> Prior:
-    """The prior of a device that is known no better than the bench of the study leaves it."""
+    """The prior of a device that is known no better than the bench of the study leaves it, which
+    measures no sensitivity to specific force or to the rate of temperature."""
     responses = measure_responses(GyroFmu(build_fmu("HRGSlow")), device)
     benched = compute_bench_covariance(responses, device, RAW, BenchPlan())
-    return Prior(prior.mean, prior.covariance + benched)
+    drifted = np.diag(make_study_drift(device, Drift()).covariance)
+    unmeasured = np.diag(np.where(STEADY, 0.0, drifted))
+    return Prior(prior.mean, prior.covariance + benched + unmeasured)
 
 
 def forget_unmeasured(device: Device) -> Device:

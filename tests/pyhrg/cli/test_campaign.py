@@ -123,13 +123,21 @@ wave_angle = { column = "pattern", unit = "deg" }
     result = run_test("fixed-position", campaign=tmp_path / "campaign")
     assert any("table_angle_deg, virtual_rotation_deg_s" in x for x in result.outcome.exclusions)
     assert abs(result.findings.value["bias_deg_per_h"]) < 1e-3
+    (tmp_path / "mapping.toml").write_text(text.replace('"pattern", ', '"pattern", scale = -1, '))
+    assert run(tmp_path / "mapping.toml", "--out", tmp_path / "turned") == 0
+    capsys.readouterr()
+    bench = ["bench", "fixed-position", "--campaign", tmp_path / "turned", "--out", tmp_path / "b"]
+    assert main([*map(str, bench)]) == 0
+    assert "warning: a diagnosis would refuse these records: campaign.json: nominal.c" in capsys.readouterr().err
 
 
 def test_a_draft_of_guesses_is_accepted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    rows = [f"{t};{0.003 * t:.4f};{-0.8 * 0.003 * t:.4f};21;x" for t in range(1, 300)]
-    text = "\n".join(["t [s];Omega_deg;Theta (mrad);T;remark", *rows]).replace(".", ",")
-    (tmp_path / "still.csv").write_text(text)
-    (tmp_path / "rate_1.csv").write_text(text.replace("Omega_deg", "gyro_rate_deg_s"))
+    t = np.arange(1, 300)
+    columns = {"t [s]": t, "Omega_deg": 0.003 * t, "Theta (mrad)": -4.83 * 0.003 * t, "T": 21}
+    frame = pd.DataFrame({**columns, "remark": "x"})
+    rates = frame.rename(columns={"Omega_deg": "gyro_rate_deg_s"}).assign(gyro_rate_deg_s=0.003)
+    for name, part in (("still", frame), ("rate_1", rates)):
+        part.to_csv(tmp_path / f"{name}.csv", sep=";", decimal=",", index=False)
     out = tmp_path / "draft" / "mapping.toml"
     out.parent.mkdir()
     logs = [str(tmp_path / name) for name in ("still.csv", "rate_1.csv")]

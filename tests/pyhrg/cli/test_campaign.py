@@ -14,6 +14,7 @@ from pyhrg.common.cli import main
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG
 from pyhrg.records import LogError, campaign
+from pyhrg.records.campaign_import import draft_mapping
 
 PAGE = Path(__file__).parents[3] / "docs" / "import.md"
 
@@ -128,7 +129,15 @@ wave_angle = { column = "pattern", unit = "deg" }
     capsys.readouterr()
     bench = ["bench", "fixed-position", "--campaign", tmp_path / "turned", "--out", tmp_path / "b"]
     assert main([*map(str, bench)]) == 0
-    assert "warning: a diagnosis would refuse these records: campaign.json: nominal.c" in capsys.readouterr().err
+    assert (
+        "warning: a diagnosis would refuse these records: campaign.json: nominal.c"
+        in capsys.readouterr().err
+    )
+
+
+def fill_in(draft: Path) -> None:
+    """Give what only the laboratory knows."""
+    draft.write_text(draft.read_text().replace('latitude_deg = "edit"', "latitude_deg = 45.0"))
 
 
 def test_a_draft_of_guesses_is_accepted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -150,6 +159,9 @@ def test_a_draft_of_guesses_is_accepted(tmp_path: Path, capsys: pytest.CaptureFi
     assert draft["columns"]["temperature"] == {"column": "T", "unit": "degC"}
     assert (rate["kind"], rate["columns"]["gyro_angle"]["integrate"]) == ("rate", "means")
     assert "# not used: remark" in out.read_text()
+    assert run(out, "--check") == 2
+    assert "site.latitude_deg: found 'edit', expected a number" in capsys.readouterr().err
+    fill_in(out)
     assert run(out, "--check") == 0
     assert main(["campaign", "init", *logs, "--out", str(out)]) == 2
     assert "found a file, expected none" in capsys.readouterr().err
@@ -177,6 +189,7 @@ def test_a_draft_of_another_laboratorys_logs_needs_no_edit(
     assert [test["id"] for test in draft["tests"]] == ["rate_5_1", "rate_5_2", "rate-5"]
     assert "absent" in draft["tests"][1]
     assert "not used" not in out.read_text().partition("[layout]")[2]
+    fill_in(out)
     imported = import_campaign(out).campaign
     whole, short = (test.log for test in imported.tests[:2])
     assert whole.time[0] == 1.0
@@ -228,10 +241,27 @@ def test_the_documented_example_is_drafted(mapping: Path) -> None:
     """A clock's times, a row of units below the names, a decimal comma."""
     out = mapping.parent / "draft.toml"
     assert main(["campaign", "init", str(mapping.parent / "table.csv"), "--out", str(out)]) == 0
+    fill_in(out)
     drafted, stated = (import_campaign(path).campaign.tests[0].log for path in (out, mapping))
     for field in ("time", "temperature", "gyro_angle", "wave_angle", "axis_up", "drive_on"):
         np.testing.assert_array_equal(getattr(drafted, field), getattr(stated, field), field)
     assert drafted.table_angle == pytest.approx(stated.table_angle)
+
+
+def test_a_kind_is_guessed_by_the_table_and_times_by_their_evenness(tmp_path: Path) -> None:
+    seconds = np.arange(1.0, 401.0)
+    turned = {"rest": 0 * seconds, "eins": 5.0 * seconds, "zwei": 20.0 * (seconds // 50)}
+    for name, angle in turned.items():
+        frame = pd.DataFrame({"n [s]": seconds, "Musterwinkel [deg]": -0.277 * angle})
+        frame["Drehtisch [deg]"], frame["Winkel [deg]"] = angle % 360, angle
+        frame.to_csv(tmp_path / f"{name}.csv", index=False)
+    (tmp_path / "untimed.csv").write_text("gyro\n1\n2\n")
+    logs = [tmp_path / f"{name}.csv" for name in (*turned, "untimed")]
+    draft = tomllib.loads(draft_mapping(logs, tmp_path))
+    assert [test["kind"] for test in draft["tests"]] == ["static", "rate", "positions", "static"]
+    assert draft["columns"]["time"] == {"column": "n [s]", "unit": "s"}
+    assert draft["columns"]["wave_angle"]["column"] == "Musterwinkel [deg]"
+    assert [test.get("interval_s") for test in draft["tests"]] == [None, None, None, "edit"]
 
 
 def test_a_log_without_a_header_is_not_drafted(

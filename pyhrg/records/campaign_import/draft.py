@@ -62,7 +62,7 @@ AMPLITUDE_TOLERANCE = 0.2
 MIN_TABLE_TURN = 1 * DEG
 """Smallest range of a turntable's angle, rad, of a log that is not static. Chosen."""
 EVEN_STEP_TOLERANCE = 0.01
-"""Largest departure of a step from their mean, relative to it, in times that rise evenly. Chosen."""
+"""Largest relative departure of a step from the mean in times that rise evenly. Chosen."""
 HEAD = f"""\
 # A draft by `hrg campaign init`: check every line that says "guessed"; where a value is "edit",
 # only you know it, and an import refuses the file until it is there.

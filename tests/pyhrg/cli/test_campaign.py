@@ -60,8 +60,16 @@ def test_example_is_imported(mapping: Path) -> None:
 
 def test_what_is_there_is_not_replaced(mapping: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(mapping, "--out", mapping.parent) == 2
-    assert "found something there, expected nothing yet" in capsys.readouterr().err
+    assert "mapping.toml, which is no part of a campaign" in capsys.readouterr().err
+    assert run(mapping, "--out", mapping.parent, "--force") == 2
     assert mapping.exists()
+    out = mapping.parent / "campaign"
+    assert run(mapping, "--out", out) == 0
+    mapping.write_text(mapping.read_text().replace("latitude_deg = 39.9", "latitude_deg = 45"))
+    assert run(mapping, "--out", out) == 2
+    assert "found a campaign there; choose another folder, or" in capsys.readouterr().err
+    assert run(mapping, "--out", out, "--force") == 0
+    assert campaign.read_campaign(out).site.latitude_deg == pytest.approx(45)
 
 
 @pytest.mark.parametrize(("old", "new"), [("0,4027", "0,4O27"), ("Omega", "Omicron")])

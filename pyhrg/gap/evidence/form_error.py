@@ -63,7 +63,7 @@ def _fit_single_cause(first: Hypothesis, parts: Sequence[LinearTest]) -> Fit:
     fits = (fit(design, [group]) for group in design.groups if _is_term(group))
     seen = sorted((f for f in fits if f), key=lambda f: -f.explained)[:MAX_LEADERS]
     errors = [_allow_forms(f, first, parts) for f in seen]
-    forms = {group: None for error in errors for group in error.groups}
+    forms = {form: None for error in errors for form in error.sigmas}
     whole = first.discount(build_design(parts, first.channel_noise, forms=tuple(forms)))
 
     def score(fitted: Fit, error: FormError) -> float:

@@ -94,7 +94,7 @@ def _generate_angle_terms(where: Coordinates) -> Iterator[PlacedTerm]:
     growth = where.growth_rate[:, None]
 
     def push(block: Array) -> Array:
-        return integrate(growth * block)
+        return integrate(growth * (block + np.vstack([block[:1], block[:-1]])) / 2)
 
     def push_and_show(block: Array) -> Array:
         return block + push(block)

@@ -1,6 +1,7 @@
 """Progress of long computations on standard error: silent unless the caller asks for it."""
 
 import sys
+import time
 from collections.abc import Callable
 from typing import Any, Self
 
@@ -9,6 +10,9 @@ Show = bool | Callable[[str], object] | None
 function with each line."""
 DELAY = 2.0
 """Time after which a bar appears, s. Chosen: short work shows none."""
+LINE_SPACING = 30.0
+"""Time between two lines of progress where no terminal shows a bar, s. Chosen: a line per 30 s
+tells that the work goes on, and an hour of it fills two screens."""
 
 
 class Progress:
@@ -21,7 +25,9 @@ class Progress:
             f"{{desc}} {{percentage:3.0f}}%|{{bar}}| {{n}}/{{total}} {unit} "
             "[{elapsed}<{remaining}]"
         )
+        self._unit = unit
         self._bar: Any = None
+        self._last_line = time.monotonic()
 
     def __enter__(self) -> Self:
         return self
@@ -35,6 +41,9 @@ class Progress:
         """State how many of how many are done."""
         if self._show is not True:
             return
+        if not sys.stderr.isatty():
+            self._write_line(done, total)
+            return
         if self._bar is None:
             from tqdm import tqdm
 
@@ -45,10 +54,15 @@ class Progress:
                 delay=DELAY,
                 file=sys.stderr,
                 leave=False,
-                disable=None,
             )
         self._bar.total = total
         self._bar.update(done - self._bar.n)
+
+    def _write_line(self, done: int, total: int) -> None:
+        now = time.monotonic()
+        if now - self._last_line >= LINE_SPACING:
+            self._last_line = now
+            self.say(f"{self._title}: {done} of {total} {self._unit}".rstrip())
 
     def describe(self, text: str) -> None:
         """Change the text before the bar."""

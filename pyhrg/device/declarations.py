@@ -73,7 +73,7 @@ class Declaration:
     fmu: tuple[str, ...]
     effect: EffectDeclaration | None
     noise: EffectDeclaration | None
-    known: ToleranceDeclaration | None
+    tolerance: ToleranceDeclaration | None
     group: str
 
     @property
@@ -84,7 +84,9 @@ class Declaration:
             return self.group
         if self.effect:
             return self.effect.name
-        return self.known.name if self.known and self.known.family in ("bench", "record") else ""
+        if self.tolerance and self.tolerance.family in ("bench", "record"):
+            return self.tolerance.name
+        return ""
 
 
 def parameter(
@@ -97,7 +99,7 @@ def parameter(
     fmu: str | tuple[str, ...] = (),
     effect: EffectDeclaration | None = None,
     noise: EffectDeclaration | None = None,
-    known: ToleranceDeclaration | None = None,
+    tolerance: ToleranceDeclaration | None = None,
     group: str = "",
 ) -> float:
     """A field of a dataclass that is a parameter of a gyro.
@@ -112,7 +114,7 @@ def parameter(
             FMU defines it otherwise (`pyhrg.device.fmu_parameters`) or does not have it.
         effect: set if a diagnosis may name it.
         noise: set if a diagnosis may find it as a noise.
-        known: set if it is known within a tolerance; a diagnosis identifies it with all else.
+        tolerance: set if it is known within a tolerance; a diagnosis identifies it with all else.
         group: name of the error that this parameter makes together with others; that of its effect
             if empty.
     """
@@ -124,7 +126,7 @@ def parameter(
         fmu=(fmu,) if isinstance(fmu, str) else fmu,
         effect=effect,
         noise=noise,
-        known=known,
+        tolerance=tolerance,
         group=group,
     )
     return field(default=default, metadata={"declaration": declaration})

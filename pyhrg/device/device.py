@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from pyhrg.common.errors import describe_briefly
 from pyhrg.common.site import Site
 from pyhrg.device.fmu_parameters import compute_fmu_values
-from pyhrg.device.parameters.scalars import ScalarParameters
+from pyhrg.device.parameters.loops_and_bench import LoopAndBenchParameters
 
 if TYPE_CHECKING:
     import numpy as np
@@ -28,7 +28,7 @@ class AngleMap:
 
 
 @dataclass(frozen=True)
-class Device(ScalarParameters):
+class Device(LoopAndBenchParameters):
     """One gyro, an ideal one by default. SI; angles are physical pattern angles; ratios are
     electrical (modal axes). Temperatures count from `reference_temperature`.
 

@@ -1,11 +1,11 @@
 """From the parameters of a gyro to those of the FMU."""
 
 from pyhrg.device.declarations import read_declarations
-from pyhrg.device.parameters.scalars import ScalarParameters
+from pyhrg.device.parameters.loops_and_bench import LoopAndBenchParameters
 
 FMU_FIELDS = {
     name: field
-    for field, declaration in read_declarations(ScalarParameters).items()
+    for field, declaration in read_declarations(LoopAndBenchParameters).items()
     for name in declaration.fmu
 }
 """Fields by the FMU's parameters and inputs that take them as they stand."""
@@ -14,13 +14,13 @@ LOOP_FREQUENCIES = frozenset(n for n in FMU_FIELDS if n.endswith("Loop.naturalFr
 """Parameters of the FMU that a gyro with quasi-steady loops (`HRGSlow`) does not have."""
 
 
-def compute_fmu_values(parameters: ScalarParameters) -> dict[str, float]:
+def compute_fmu_values(parameters: LoopAndBenchParameters) -> dict[str, float]:
     """Values of the FMU's parameters by name, SI: those taken as they stand and those computed."""
     direct = {name: getattr(parameters, field) for name, field in FMU_FIELDS.items()}
     return {**direct, **_compute_derived_values(parameters)}
 
 
-def _compute_derived_values(p: ScalarParameters) -> dict[str, float]:
+def _compute_derived_values(p: LoopAndBenchParameters) -> dict[str, float]:
     """Values of the parameters that the FMU defines otherwise.
 
     A force frame turned by e gives the bias -e/(2 k tau). A noise of n in each displacement turns

@@ -136,7 +136,7 @@ KNOWN = tuple(
         k.imitators,
     )
     for field, declaration in read_declarations(Device).items()
-    if (k := declaration.known)
+    if (k := declaration.tolerance)
 )
 """Nominal values, and properties of bench and record, that are known within a tolerance."""
 NOISES = tuple(

@@ -44,6 +44,16 @@ def test_no_bar_goes_into_a_pipe(capsys: pytest.CaptureFixture[str]) -> None:
     assert capsys.readouterr().err == "one flew\n"
 
 
+def test_a_pipe_gets_a_line_now_and_then(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(progress, "LINE_SPACING", 0.0)
+    show(True)
+    assert capsys.readouterr().err == (
+        "flights: 0 of 2 runs\nflights: 1 of 2 runs\none flew\nflights: 2 of 2 runs\n"
+    )
+
+
 def test_a_function_gets_each_line(capsys: pytest.CaptureFixture[str]) -> None:
     lines: list[str] = []
     show(lines.append)

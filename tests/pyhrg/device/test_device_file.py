@@ -16,7 +16,7 @@ from pyhrg.device import device_file
 from pyhrg.device.declarations import read_declarations
 from pyhrg.device.device import FMU_NAMES, AngleMap, Device
 from pyhrg.device.keys import KEYS, SITE_KEYS
-from pyhrg.device.parameters.scalars import ScalarParameters
+from pyhrg.device.parameters.loops_and_bench import LoopAndBenchParameters
 from pyhrg.device.ready_devices import TABLE2, TYPICAL
 from pyhrg.fmu import GyroError, GyroFmu
 
@@ -89,7 +89,7 @@ def test_every_key_is_read_in_its_unit_and_reaches_something(tmp_path: Path, key
     value = key.low + 0.37 * (key.high - key.low)
     device = read(tmp_path, f"{key.name} = {value!r}")
     assert getattr(device, key.field) == pytest.approx(value * key.factor + key.offset)
-    names = list(read_declarations(ScalarParameters))
+    names = list(read_declarations(LoopAndBenchParameters))
     if key.field not in names[names.index("misalignment") :] and key.low != key.high:
         assert device.fmu_parameters()
 

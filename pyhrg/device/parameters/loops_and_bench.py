@@ -5,11 +5,11 @@ from dataclasses import dataclass
 
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, HOUR, HZ, PPM
 from pyhrg.device.declarations import EffectDeclaration, ToleranceDeclaration, parameter
-from pyhrg.device.parameters.shell import ShellParameters
+from pyhrg.device.parameters.resonator import ResonatorParameters
 
 
 @dataclass(frozen=True)
-class ScalarParameters(ShellParameters):
+class LoopAndBenchParameters(ResonatorParameters):
     """The shell's; what the loops hold, how fast, and what they do not do as told; noise,
     input-referred by the coefficients of IEEE Std 952; how the gyro stands on the turntable, where
     its vibration starts, and what the bench's instruments read wrongly, which the FMU does not
@@ -23,7 +23,7 @@ class ScalarParameters(ShellParameters):
         key="residual_quadrature",
         limits=(-0.5, 0.5),
         fmu="controller.quadratureSetpoint",
-        effect=EffectDeclaration("residual_quadrature", 1e-3, ("wave_angle",), 10),
+        effect=EffectDeclaration("residual_quadrature", 1e-3, ("wave_angle",), position=10),
         group="frequency_split_and_phase_errors",
     )
     """Set point of the quadrature loop [q0], amplitude units."""
@@ -32,7 +32,7 @@ class ScalarParameters(ShellParameters):
         key="amplitude_loop_rad_s",
         limits=(0.01, 500),
         fmu="controller.amplitudeLoop.naturalFrequency",
-        known=ToleranceDeclaration(
+        tolerance=ToleranceDeclaration(
             "nominal_amplitude_loop", "nominal", 0.6, relative_tolerance=0.02
         ),
     )
@@ -42,7 +42,7 @@ class ScalarParameters(ShellParameters):
         key="quadrature_loop_rad_s",
         limits=(0.01, 500),
         fmu="controller.quadratureLoop.naturalFrequency",
-        known=ToleranceDeclaration(
+        tolerance=ToleranceDeclaration(
             "nominal_quadrature_loop", "nominal", 0.6, relative_tolerance=0.02
         ),
     )
@@ -52,7 +52,9 @@ class ScalarParameters(ShellParameters):
         key="phase_loop_rad_s",
         limits=(0.01, 500),
         fmu="controller.phaseLoop.naturalFrequency",
-        known=ToleranceDeclaration("nominal_phase_loop", "nominal", 20.0, relative_tolerance=0.02),
+        tolerance=ToleranceDeclaration(
+            "nominal_phase_loop", "nominal", 20.0, relative_tolerance=0.02
+        ),
     )
     """Natural frequency of the phase loop, rad/s."""
     parametric_share: float = parameter(
@@ -77,7 +79,7 @@ class ScalarParameters(ShellParameters):
         key="loop_delay_s",
         limits=(0, 0.1),
         fmu="controller.synthesis.loopDelay",
-        effect=EffectDeclaration("loop_delay", 1e-3, ("rate",), 15),
+        effect=EffectDeclaration("loop_delay", 1e-3, ("rate",), position=15),
     )
     """Delay from detected angle to force, beyond the hold [td], s."""
     virtual_rotation_error: float = parameter(
@@ -85,7 +87,7 @@ class ScalarParameters(ShellParameters):
         unit=PPM,
         limits=(-1e5, 1e5),
         fmu="controller.readout.virtualRotationError",
-        effect=EffectDeclaration("virtual_rotation_gain", 100 * PPM, ("rate",), 17),
+        effect=EffectDeclaration("virtual_rotation_gain", 100 * PPM, ("rate",), position=17),
     )
     """True over commanded virtual rotation, less one."""
     angle_random_walk: float = parameter(
@@ -150,7 +152,7 @@ class ScalarParameters(ShellParameters):
             "input_axis_misalignment",
             1e-3,
             ("table_angle",),
-            25,
+            position=25,
             angle="misalignment_direction",
             periods=1,
         ),
@@ -168,19 +170,19 @@ class ScalarParameters(ShellParameters):
         key="frequency_error_Hz",
         unit=HZ,
         limits=(-1000, 1000),
-        known=ToleranceDeclaration("nominal_frequency", "nominal", 1 * HZ, 7 * HZ),
+        tolerance=ToleranceDeclaration("nominal_frequency", "nominal", 1 * HZ, 7 * HZ),
     )
     """True modal frequency less the one from which the frequency offset counts, rad/s."""
     thermometer_offset: float = parameter(
         key="thermometer_offset_K",
         limits=(-100, 100),
-        known=ToleranceDeclaration("thermometer_offset", "bench", 1.0, 0.2),
+        tolerance=ToleranceDeclaration("thermometer_offset", "bench", 1.0, 0.2),
     )
     """Reading of the case thermometer less the case's temperature, K."""
     thermometer_lag: float = parameter(
         key="thermometer_lag_s",
         limits=(-3600, 3600),
-        known=ToleranceDeclaration(
+        tolerance=ToleranceDeclaration(
             "thermometer_lag", "bench", 60.0, 20.0, imitators=("temperature_gradient",)
         ),
     )
@@ -189,7 +191,7 @@ class ScalarParameters(ShellParameters):
     thermometer_gain: float = parameter(
         key="thermometer_gain",
         limits=(-0.5, 0.5),
-        known=ToleranceDeclaration(
+        tolerance=ToleranceDeclaration(
             "thermometer_gain", "bench", 0.1, 0.002, imitators=("temperature_gradient",)
         ),
     )
@@ -199,7 +201,7 @@ class ScalarParameters(ShellParameters):
         key="latitude_error_deg",
         unit=DEG,
         limits=(-180, 180),
-        known=ToleranceDeclaration(
+        tolerance=ToleranceDeclaration(
             "site_latitude", "bench", 0.1 * DEG, 0.01 * DEG, imitators=("table_axis_tilt",)
         ),
     )
@@ -209,7 +211,7 @@ class ScalarParameters(ShellParameters):
         key="encoder_eccentricity_arcsec",
         unit=ARCSEC,
         limits=(0, 3600),
-        known=ToleranceDeclaration(
+        tolerance=ToleranceDeclaration(
             "encoder_eccentricity",
             "bench",
             10 * ARCSEC,
@@ -226,21 +228,21 @@ class ScalarParameters(ShellParameters):
     clock_latency: float = parameter(
         key="clock_latency_s",
         limits=(-1, 1),
-        known=ToleranceDeclaration("clock_latency", "record", 1e-4, 1e-5),
+        tolerance=ToleranceDeclaration("clock_latency", "record", 1e-4, 1e-5),
     )
     """Time by which the gyro's angle is read later than the encoder, s."""
     clock_rate: float = parameter(
         key="clock_rate_ppm",
         unit=PPM,
         limits=(-1e5, 1e5),
-        known=ToleranceDeclaration("clock_rate", "record", 10 * PPM, 1 * PPM),
+        tolerance=ToleranceDeclaration("clock_rate", "record", 10 * PPM, 1 * PPM),
     )
     """Growth of that time with the time since power-on, s/s."""
     table_tilt_east: float = parameter(
         key="table_axis_tilt_east_deg",
         unit=DEG,
         limits=(-45, 45),
-        known=ToleranceDeclaration(
+        tolerance=ToleranceDeclaration(
             "table_axis_tilt", "bench", 0.1 * DEG, 0.03 * DEG, imitators=("table_azimuth",)
         ),
     )

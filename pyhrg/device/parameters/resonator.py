@@ -1,4 +1,4 @@
-"""Parameters of the vibrating shell: the resonator, what reads its vibration and what drives it."""
+"""Parameters of the resonator, of what reads its vibration and of what drives it."""
 
 from dataclasses import dataclass
 
@@ -7,7 +7,7 @@ from pyhrg.device.declarations import EffectDeclaration, ToleranceDeclaration, p
 
 
 @dataclass(frozen=True)
-class ShellParameters:
+class ResonatorParameters:
     """The resonator with its temperature, then errors of what the electronics read, then errors of
     the forces; SI, ratios on the modal axes, angles are physical pattern angles."""
 
@@ -19,7 +19,7 @@ class ShellParameters:
         key="coriolis_factor_error_ppm",
         unit=PPM,
         limits=(-1e5, 1e5),
-        effect=EffectDeclaration("coriolis_factor_error", 100 * PPM, ("rate",), 16),
+        effect=EffectDeclaration("coriolis_factor_error", 100 * PPM, ("rate",), position=16),
     )
     """True over believed Bryan factor, less one."""
     decay_time: float = parameter(
@@ -27,14 +27,18 @@ class ShellParameters:
         key="decay_time_s",
         limits=(1, 1e5),
         fmu="resonator.material.decayTime",
-        known=ToleranceDeclaration("nominal_decay_time", "nominal", 45.0, relative_tolerance=0.01),
+        tolerance=ToleranceDeclaration(
+            "nominal_decay_time", "nominal", 45.0, relative_tolerance=0.01
+        ),
     )
     """Mean amplitude decay time [tau], s."""
     decay_time_per_kelvin: float = parameter(
         key=("decay_time_per_K", "decay_time_temperature_coefficient_per_K"),
         limits=(-0.1, 0.1),
         fmu="resonator.material.decayTimePerKelvin",
-        effect=EffectDeclaration("decay_time_temperature", 1e-3, ("temperature", "wave_angle"), 19),
+        effect=EffectDeclaration(
+            "decay_time_temperature", 1e-3, ("temperature", "wave_angle"), position=19
+        ),
     )
     """Relative change of the decay time with temperature, 1/K."""
     damping_anisotropy: float = parameter(
@@ -42,7 +46,7 @@ class ShellParameters:
         limits=(0, 1e-2),
         fmu="resonator.material.dampingAnisotropy",
         effect=EffectDeclaration(
-            "damping_anisotropy", 1e-5, ("wave_angle",), 1, angle="damping_axis", periods=4
+            "damping_anisotropy", 1e-5, ("wave_angle",), position=1, angle="damping_axis", periods=4
         ),
     )
     """1/tau1 - 1/tau2 between the axes of maximum and minimum damping [D], 1/s."""
@@ -55,7 +59,7 @@ class ShellParameters:
         limits=(-1, 1),
         fmu="resonator.material.dampingAnisotropyPerKelvin",
         effect=EffectDeclaration(
-            "damping_anisotropy_temperature", 0.05, ("temperature", "wave_angle"), 18
+            "damping_anisotropy_temperature", 0.05, ("temperature", "wave_angle"), position=18
         ),
         group="damping_anisotropy",
     )
@@ -72,7 +76,7 @@ class ShellParameters:
         key="frequency_temperature_coefficient_per_K",
         limits=(-1e-3, 1e-3),
         fmu="resonator.material.frequencyPerKelvin",
-        known=ToleranceDeclaration(
+        tolerance=ToleranceDeclaration(
             "nominal_frequency_temperature_coefficient", "nominal", 1e-6, 1e-8, 0.01
         ),
     )
@@ -83,7 +87,12 @@ class ShellParameters:
         limits=(0, 10),
         fmu="resonator.material.frequencySplit",
         effect=EffectDeclaration(
-            "frequency_split", 2e-4 * HZ, ("wave_angle",), 2, angle="stiffness_axis", periods=4
+            "frequency_split",
+            2e-4 * HZ,
+            ("wave_angle",),
+            position=2,
+            angle="stiffness_axis",
+            periods=4,
         ),
         group="frequency_split_and_phase_errors",
     )
@@ -100,7 +109,7 @@ class ShellParameters:
         unit=HZ,
         limits=(-10, 10),
         fmu="resonator.material.duffing",
-        effect=EffectDeclaration("duffing_stiffness", 1e-2 * HZ, ("amplitude",), 13),
+        effect=EffectDeclaration("duffing_stiffness", 1e-2 * HZ, ("amplitude",), position=13),
     )
     """Frequency shift at unit amplitude by cubic stiffness, rad/s."""
     electrostatic_cubic: float = parameter(
@@ -116,7 +125,9 @@ class ShellParameters:
         key="thermal_lag_s",
         limits=(1, 1e6),
         fmu="resonator.environment.thermalLag",
-        known=ToleranceDeclaration("nominal_thermal_lag", "nominal", 60.0, relative_tolerance=0.05),
+        tolerance=ToleranceDeclaration(
+            "nominal_thermal_lag", "nominal", 60.0, relative_tolerance=0.05
+        ),
     )
     """Time constant of the resonator's temperature behind the case's, s."""
     reference_temperature: float = parameter(
@@ -131,7 +142,7 @@ class ShellParameters:
         key="pickoff_gain_mismatch",
         limits=(-0.5, 0.5),
         fmu="pickOff.gainMismatch",
-        effect=EffectDeclaration("pickoff_gain_mismatch", 1e-3, ("wave_angle",), 3),
+        effect=EffectDeclaration("pickoff_gain_mismatch", 1e-3, ("wave_angle",), position=3),
     )
     """x reads (1 + g/2), y reads (1 - g/2) [g]."""
     pickoff_gain_per_kelvin: float = parameter(
@@ -139,7 +150,7 @@ class ShellParameters:
         limits=(-0.01, 0.01),
         fmu="pickOff.gainPerKelvin",
         effect=EffectDeclaration(
-            "pickoff_gain_temperature", 1e-5, ("temperature", "wave_angle"), 21
+            "pickoff_gain_temperature", 1e-5, ("temperature", "wave_angle"), position=21
         ),
     )
     """Change of g with temperature, 1/K."""
@@ -149,7 +160,7 @@ class ShellParameters:
         limits=(-0.09, 0.09),
         fmu="pickOff.gainPerAcceleration[1]",
         effect=EffectDeclaration(
-            "g_sensitive_gain", 1e-4 / STANDARD_GRAVITY, ("acceleration",), 24
+            "g_sensitive_gain", 1e-4 / STANDARD_GRAVITY, ("acceleration",), position=24
         ),
     )
     """Change of g with specific force along x, s2/m."""
@@ -157,7 +168,7 @@ class ShellParameters:
         key="pickoff_nonorthogonality",
         limits=(-0.5, 0.5),
         fmu="pickOff.nonOrthogonality",
-        effect=EffectDeclaration("pickoff_nonorthogonality", 1e-3, ("wave_angle",), 4),
+        effect=EffectDeclaration("pickoff_nonorthogonality", 1e-3, ("wave_angle",), position=4),
     )
     """y reads y + d x [d]."""
     pickoff_cubic: float = parameter(
@@ -165,7 +176,7 @@ class ShellParameters:
         limits=(-0.1, 0.1),
         fmu="pickOff.cubic",
         effect=EffectDeclaration(
-            "pickoff_cubic_nonlinearity", 1e-3, ("amplitude", "wave_angle"), 12
+            "pickoff_cubic_nonlinearity", 1e-3, ("amplitude", "wave_angle"), position=12
         ),
     )
     """x reads x (1 + 3/4 b |x|^2), y alike [b]."""
@@ -180,7 +191,9 @@ class ShellParameters:
         key="phase_error_rad",
         limits=(-1, 1),
         fmu="pickOff.phaseError",
-        effect=EffectDeclaration("demodulation_phase_error", 1e-2, ("rate", "wave_angle"), 8),
+        effect=EffectDeclaration(
+            "demodulation_phase_error", 1e-2, ("rate", "wave_angle"), position=8
+        ),
         group="frequency_split_and_phase_errors",
     )
     """Phase that the demodulation adds to both channels [p], rad."""
@@ -188,7 +201,9 @@ class ShellParameters:
         key="phase_rad_per_K",
         limits=(-0.01, 0.01),
         fmu="pickOff.phasePerKelvin",
-        effect=EffectDeclaration("phase_temperature", 1e-4, ("temperature", "wave_angle"), 20),
+        effect=EffectDeclaration(
+            "phase_temperature", 1e-4, ("temperature", "wave_angle"), position=20
+        ),
         group="frequency_split_and_phase_errors",
     )
     """Change of p with temperature, rad/K."""
@@ -196,7 +211,7 @@ class ShellParameters:
         key="differential_phase_rad",
         limits=(-1, 1),
         fmu="pickOff.differentialPhase",
-        effect=EffectDeclaration("differential_phase_error", 1e-2, ("wave_angle",), 9),
+        effect=EffectDeclaration("differential_phase_error", 1e-2, ("wave_angle",), position=9),
         group="frequency_split_and_phase_errors",
     )
     """Phase of x over that of y: x turned by half of it, y by minus half, rad."""
@@ -204,7 +219,7 @@ class ShellParameters:
         key="demodulation_offset",
         limits=(-0.1, 0.1),
         fmu="pickOff.offset",
-        effect=EffectDeclaration("demodulation_offset", 1e-3, ("wave_angle",), 11),
+        effect=EffectDeclaration("demodulation_offset", 1e-3, ("wave_angle",), position=11),
     )
     """Added to the in-phase x channel [x0], amplitude units."""
     demodulation_offset_y: float = parameter(
@@ -218,28 +233,30 @@ class ShellParameters:
         key="feedthrough_s",
         limits=(-0.01, 0.01),
         fmu="pickOff.feedthrough",
-        effect=EffectDeclaration("drive_feedthrough", 1e-4, ("amplitude", "wave_angle"), 14),
+        effect=EffectDeclaration(
+            "drive_feedthrough", 1e-4, ("amplitude", "wave_angle"), position=14
+        ),
     )
     """Pick-offs read this time the force as well [c], s."""
     drive_gain_mismatch: float = parameter(
         key="drive_gain_mismatch",
         limits=(-0.5, 0.5),
         fmu="drive.gainMismatch",
-        effect=EffectDeclaration("drive_gain_mismatch", 1e-3, ("wave_angle",), 5),
+        effect=EffectDeclaration("drive_gain_mismatch", 1e-3, ("wave_angle",), position=5),
     )
     """x drives (1 + gd/2), y drives (1 - gd/2) [gd]."""
     drive_nonorthogonality: float = parameter(
         key="drive_nonorthogonality",
         limits=(-0.5, 0.5),
         fmu="drive.nonOrthogonality",
-        effect=EffectDeclaration("drive_nonorthogonality", 1e-3, ("wave_angle",), 6),
+        effect=EffectDeclaration("drive_nonorthogonality", 1e-3, ("wave_angle",), position=6),
     )
     """y drives fy + nd fx [nd]."""
     drive_frame_rotation: float = parameter(
         key="drive_frame_rotation_rad",
         limits=(-0.5, 0.5),
         fmu="drive.frameRotation",
-        effect=EffectDeclaration("drive_frame_rotation", 1e-3, ("time",), 7),
+        effect=EffectDeclaration("drive_frame_rotation", 1e-3, ("time",), position=7),
     )
     """Force frame turned against the pick-offs' on the modal axes [e], rad."""
     pump_anisotropy: float = parameter(
@@ -255,7 +272,7 @@ class ShellParameters:
         unit=DEG_PER_H * MINUTE,
         limits=(-10, 10),
         effect=EffectDeclaration(
-            "temperature_rate_bias", 0.1 * DEG_PER_H * MINUTE, ("temperature_rate",), 22
+            "temperature_rate_bias", 0.1 * DEG_PER_H * MINUTE, ("temperature_rate",), position=22
         ),
     )
     """Output bias over the rate of the case's temperature, rad/s per K/s."""
@@ -264,7 +281,7 @@ class ShellParameters:
         unit=DEG_PER_H / STANDARD_GRAVITY,
         limits=(-10, 10),
         effect=EffectDeclaration(
-            "g_sensitive_bias", 0.1 * DEG_PER_H / STANDARD_GRAVITY, ("acceleration",), 23
+            "g_sensitive_bias", 0.1 * DEG_PER_H / STANDARD_GRAVITY, ("acceleration",), position=23
         ),
     )
     """Output bias over specific force along the input axis, by rotation of the force frame; rad/s

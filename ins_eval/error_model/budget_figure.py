@@ -1,14 +1,18 @@
 """Figure of an error budget: weights over time, growth of the error, contributions by effect."""
 
+from itertools import cycle
+
 import numpy as np
 import xarray as xr
 from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 
 from ins_eval.error_model.error_budget import (
     BODY,
     COMPONENTS,
+    INITIAL,
     Weights,
     separate_keys,
     sum_contributions,
@@ -17,8 +21,10 @@ from ins_eval.error_model.linear_model import AXES
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, HOUR
 
-COLOURS = dict(zip(BODY, ("tab:blue", "tab:orange", "tab:green"), strict=True))
-INITIAL, INITIAL_COLOUR = "initial errors", "0.5"
+LINES = dict(zip(BODY, ("-", "--", ":"), strict=True))
+HATCHES = dict(zip(BODY, ("", "////", "...."), strict=True))
+"""An axis is told by its line and its hatch; colours belong to the effects."""
+INITIAL_COLOUR = "0.5"
 EFFECT_COLOURS = colormaps["tab10"](np.delete(np.arange(10), 7))
 """Colours of the effects; the eighth of the map is the grey of the initial errors."""
 MAX_SHOWN_EFFECTS = 8
@@ -45,6 +51,7 @@ def plot_budget(weights: Weights, budget: xr.Dataset, title: str = "Error budget
     rows[0, 0].set_ylabel("final error per gyro error,\nm/arcsec, symlog axis")
     rows[1, 0].set_ylabel("contribution to the final error, m")
     rows[0, 1].legend(title="axis", fontsize="small")
+    rows[2, 1].legend(handles=[_make_patch(axis) for axis in BODY], title="axis", fontsize="small")
     figure.legend(*rows[1, 0].get_legend_handles_labels(), loc="outside lower center", ncols=3)
     north, east = sum_contributions(budget)
     figure.suptitle(
@@ -57,8 +64,8 @@ def _plot_weights(axes: Axes, bounds: Array, gyros: Array) -> None:
     """Plot weights (n, 3) in steps with bounds (n + 1,), s: linear near zero and logarithmic
     beyond, because those of the alignment are many times those of the flight."""
     hours, weights = 0.5 * (bounds[1:] + bounds[:-1]) / HOUR, gyros * ARCSEC
-    for (axis, colour), weight in zip(COLOURS.items(), weights.T, strict=True):
-        axes.plot(hours, weight, colour, linewidth=0.9, label=axis)
+    for (axis, line), weight in zip(LINES.items(), weights.T, strict=True):
+        axes.plot(hours, weight, "k", linestyle=line, linewidth=1.1, label=axis)
     axes.set_yscale("symlog", linscale=2, linthresh=max(float(np.median(np.abs(weights))), 1e-9))
     axes.set_xlabel("time, h")
 
@@ -78,17 +85,28 @@ def _plot_growth(axes: Axes, contribution: xr.DataArray, initial: float) -> None
 def _plot_bars(axes: Axes, contribution: xr.DataArray, initial: float) -> None:
     """Plot three bars, one an axis, for each effect that is not 0, and one for initial errors."""
     rows: list[tuple[str, np.ndarray]] = []
-    for effect in contribution.effect.values:
+    colours: list[Array] = []
+    for effect, colour in zip(contribution.effect.values, cycle(EFFECT_COLOURS)):
         by_sensor = contribution.sel(effect=effect).values.reshape(2, len(BODY))
-        rows += [
+        shown = [
             (effect if sensor in effect else f"{effect}, {sensor}", values)
             for sensor, values in zip(("gyro", "accelerometer"), by_sensor, strict=True)
             if np.any(values != 0)
         ]
+        rows += shown
+        colours += [colour] * len(shown)
     places = -np.arange(float(len(rows)))
-    for number, colour in enumerate(COLOURS.values()):
+    for number, hatch in enumerate(HATCHES.values()):
         values = [row[1][number] for row in rows]
-        axes.barh(places + 0.27 * (1 - number), values, height=0.25, color=colour)
+        axes.barh(
+            places + 0.27 * (1 - number),
+            values,
+            height=0.25,
+            color=colours,
+            hatch=hatch,
+            edgecolor="white",
+            linewidth=0,
+        )
     names = [row[0] for row in rows]
     if initial:
         names.append(INITIAL)
@@ -96,6 +114,10 @@ def _plot_bars(axes: Axes, contribution: xr.DataArray, initial: float) -> None:
         axes.barh(places[-1], initial, height=0.5, color=INITIAL_COLOUR)
     axes.set_yticks(places, names, fontsize="small")
     axes.set_xlabel("contribution to the final error, m")
+
+
+def _make_patch(axis: str) -> Patch:
+    return Patch(facecolor="0.4", hatch=HATCHES[axis], edgecolor="white", linewidth=0, label=axis)
 
 
 def _select_largest(contribution: xr.DataArray) -> xr.DataArray:

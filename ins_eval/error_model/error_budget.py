@@ -99,7 +99,7 @@ def sum_contributions(budget: xr.Dataset) -> Array:
 
 
 COLUMNS = ("effect", "axis", "north_sigma_m", "east_sigma_m")
-INITIAL, NOISE = "alignment beyond its sensors' means", "random walks"
+INITIAL, NOISE = "rest of the alignment error", "random walks"
 
 
 def compute_sigma_budget(weights: Weights, initial: Array, sigmas: Array) -> pd.DataFrame:

@@ -13,7 +13,13 @@ const MECHANISMS = [
   ["Damping axis, deg", "resonator.material.dampingAxis", DEGREE, -90, 90],
   ["Mismatch of the drives, ppm", "drive.gainMismatch", 1e-6, -200, 200],
   ["Mismatch of the pick-offs, ppm", "pickOff.gainMismatch", 1e-6, -200, 200],
+  ["Non-orthogonality of the drives, urad", "drive.nonOrthogonality", 1e-6, -200, 200],
+  ["Non-orthogonality of the pick-offs, urad", "pickOff.nonOrthogonality", 1e-6, -200, 200],
+  ["Frequency split, mHz", "resonator.material.frequencySplit", 2e-3 * Math.PI, 0, 5],
+  ["Phase error of the pick-offs, urad", "pickOff.phaseError", 1e-6, -200, 200],
 ];
+/* Height of the text on the screen, px, on a phone as on a desk. */
+const TEXT_PX = 13;
 const STILL = matchMedia("(prefers-reduced-motion: reduce)");
 
 const find = (id) => document.getElementById(id);
@@ -23,6 +29,7 @@ let turning = null;
 let tableAngle = 0;
 let shownAt = 0;
 let run = 0;
+const sliders = [];
 
 function makeGyro(startAngle, seed) {
   const gyro = new Gyro(library);
@@ -48,17 +55,33 @@ function addSlider([label, name, unit, low, high]) {
   input.step = "0.5";
   const shown = document.createElement("output");
   const title = document.createElement("label");
-  input.value = String(values[name] / unit);
   const show = () => (shown.textContent = input.value);
   input.addEventListener("input", show);
   input.addEventListener("change", () => {
     values[name] = Number(input.value) * unit;
     restart();
   });
+  sliders.push(() => {
+    input.value = String(values[name] / unit);
+    show();
+  });
+  sliders.at(-1)();
   title.append(label, " ", input);
   row.append(title, " ", shown);
   find("mechanisms").append(row);
-  show();
+}
+
+/* Set every error to zero, or all to those that the page began with. */
+function setMechanisms(from) {
+  for (const [, name] of MECHANISMS) values[name] = from[name] ?? 0;
+  for (const follow of sliders) follow();
+  restart();
+}
+
+function setText(canvas) {
+  const size = (TEXT_PX * canvas.width) / (canvas.clientWidth || canvas.width);
+  canvas.getContext("2d").font = `${size}px sans-serif`;
+  return size;
 }
 
 /* The rim seen from above at a slant, the case's mark on it, and the wave, much enlarged. */
@@ -89,12 +112,20 @@ function drawRim() {
   draw.lineWidth = 3;
   draw.strokeStyle = "#c25a1b";
   ring((angle) => 190 + 34 * Math.cos(2 * (angle - wave)) * swing);
+  draw.fillStyle = "#c25a1b";
+  const dot = (angle, radius) => {
+    draw.beginPath();
+    draw.arc(...place(angle, radius), 7, 0, 2 * Math.PI);
+    draw.fill();
+  };
+  for (let i = 0; i < 4; i++) dot(wave + (i * Math.PI) / 2, 190);
   draw.fillStyle = color;
-  draw.beginPath();
-  draw.arc(...place(tableAngle, 240), 7, 0, 2 * Math.PI);
-  draw.fill();
-  draw.font = "16px sans-serif";
-  draw.fillText("case", ...place(tableAngle, 262));
+  dot(tableAngle, 240);
+  const size = setText(canvas);
+  draw.textAlign = "center";
+  const [left, top] = place(tableAngle, 240);
+  const isHigh = top < 2 * size;
+  draw.fillText("case", left, isHigh ? top + 1.5 * size : top - 0.8 * size);
 }
 
 /* Bias of each position over the pattern angle, and of the fixed position, which is larger. */
@@ -103,19 +134,27 @@ function drawMap(points, fixed) {
   const draw = canvas.getContext("2d");
   const color = getComputedStyle(canvas).color;
   const largest = Math.max(0.01, ...[...points, ...fixed].map(([, bias]) => Math.abs(bias)));
-  const x = (angle) => 70 + ((canvas.width - 90) * angle) / 180;
-  const y = (bias) => 165 - (130 * bias) / largest;
+  const size = setText(canvas);
+  const left = 4.8 * size;
+  const [top, bottom] = [2.2 * size, canvas.height - 3.4 * size];
+  const right = canvas.width - size;
+  const x = (angle) => left + ((right - left) * angle) / 180;
+  const y = (bias) => (top + bottom) / 2 - (0.5 * (bottom - top) * bias) / largest;
   draw.clearRect(0, 0, canvas.width, canvas.height);
   draw.strokeStyle = draw.fillStyle = color;
-  draw.font = "16px sans-serif";
   draw.textAlign = "right";
-  for (const bias of [-largest, 0, largest]) {
-    draw.fillText(bias.toPrecision(2), 62, y(bias) + 5);
-    draw.fillRect(70, y(bias), canvas.width - 90, 0.5);
+  for (const share of [-1, -0.5, 0, 0.5, 1]) {
+    const bias = share * largest;
+    draw.fillText(share ? bias.toPrecision(2) : "0", left - 0.5 * size, y(bias) + 0.3 * size);
+    draw.fillRect(left, y(bias), right - left, 0.5);
   }
   draw.textAlign = "center";
-  for (let angle = 0; angle <= 180; angle += 45) draw.fillText(String(angle), x(angle), 325);
-  draw.fillText("bias, deg/h, over the pattern angle, deg", canvas.width / 2, 350);
+  for (let angle = 0; angle <= 180; angle += 45) {
+    draw.fillText(String(angle), Math.min(x(angle), right - 0.6 * size), bottom + 1.6 * size);
+  }
+  draw.fillText("pattern angle, deg", (left + right) / 2, bottom + 3 * size);
+  draw.textAlign = "left";
+  draw.fillText("bias, deg/h", left, size);
   const mark = ([angle, bias], size, fill) => {
     draw.fillStyle = fill;
     draw.beginPath();
@@ -206,8 +245,11 @@ function advance(now) {
 
 async function begin() {
   library = await loadLibrary(GYRO);
+  const typical = { ...values };
   MECHANISMS.forEach(addSlider);
   restart();
+  find("ideal").addEventListener("click", () => setMechanisms({}));
+  find("typical").addEventListener("click", () => setMechanisms(typical));
   find("run").addEventListener("click", runTests);
   requestAnimationFrame((now) => {
     shownAt = now;

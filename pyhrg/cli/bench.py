@@ -97,7 +97,7 @@ def run(options: argparse.Namespace) -> None:
         _warn_of_refusal(campaign)
 
 
-def _warn_of_refusal(campaign: pyhrg.Campaign) -> None:
+def _warn_of_refusal(campaign: "pyhrg.Campaign") -> None:
     """Say on standard error why a diagnosis would refuse the records whose figures were printed."""
     from pyhrg.gap.soundness import screen_campaign
 

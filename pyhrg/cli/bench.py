@@ -64,7 +64,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def _list_tests(procedures: Sequence["Procedure"]) -> str:
     """Names and titles of the tests by group, for the help; models other than `HRG`."""
     width = max(len(name) for name in (*(p.name for p in procedures), ALL))
-    lines = ["tests (the model HRG is simulated where no other is named):", f"  {ALL:<{width}}  every one of them"]
+    lines = [
+        "tests (the model HRG is simulated where no other is named):",
+        f"  {ALL:<{width}}  every one of them",
+    ]
     for group in dict.fromkeys(p.group for p in procedures):
         lines += ["", f"{group}:"]
         lines += [

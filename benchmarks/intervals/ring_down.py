@@ -1,7 +1,5 @@
-"""Coverage of the ring-down: four angles, all terms of the free shell.
-
-Splits are 0.2 to 0.6 mHz, of odd seeds five times as large, so that rows are left out.
-"""
+"""Coverage of the ring-down: four angles, all terms of the free shell. Splits are 0.2 to 0.6 mHz,
+of odd seeds five times as large: rows are left out."""
 
 from dataclasses import replace
 

@@ -25,7 +25,27 @@ HANDED_OUT = {
         "ins_eval.common.state.State",
         "pyhrg.records.imu.log.Increments",
         "pyhrg.records.imu.log.RecordedImu",
-    )
+    ),
+    "pyhrg": (
+        "pyhrg.bench.reporting.result.TestResult",
+        "pyhrg.bench.reporting.result.BenchResults",
+        "pyhrg.bench.outcome.Finding",
+        "pyhrg.gap.static_record.allan.RecordNoise",
+        "pyhrg.gap.static_record.allan.ChannelNoise",
+        "pyhrg.noise.coefficients.NoiseCoefficients",
+        "pyhrg.noise.coefficients.Coefficient",
+        "pyhrg.gap.static_record.result.RecordDiagnosis",
+        "pyhrg.gap.findings.diagnosis.Diagnosis",
+        "pyhrg.records.campaign.Test",
+        "pyhrg.common.site.Site",
+        "pyhrg.witness.prior.Prior",
+        "pyhrg.challenge.scoring.report.Score",
+    ),
+    "fmu_build": (
+        "fmu_build.check.check.Check",
+        "fmu_build.roots.Root",
+        "fmu_build.binaries.platforms.Platform",
+    ),
 }
 """Classes that a front door hands out and doesn't name."""
 CATALOGUE = ROOT / "modelica" / "HRG" / "UsersGuide" / "Mechanisms.mo"

@@ -10,6 +10,7 @@ model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-ste
     acceleration = {accelerationX, accelerationY, accelerationZ},
     caseTemperature = caseTemperature,
     biasVoltage = biasVoltage,
+    dampingFlicker = flicker.damping,
     vibration = vibration,
     final thermalPeriod = samplePeriod,
     material(ringErrors = ring.errors),
@@ -24,12 +25,17 @@ model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-ste
     age = resonator.environment.age,
     turning = controller.commandedTurn - (1 - controller.forceToRebalance)*resonator.material.coupling,
     biasVoltage = biasVoltage,
+    gainFlicker = flicker.gain,
+    phaseFlicker = flicker.phase,
     noise = noise.displacement) "Pick-offs and demodulation";
   Electrodes.DriveErrors drive(
     ringErrors = ring.errors,
     acceleration = {accelerationX, accelerationY, accelerationZ},
     biasVoltage = biasVoltage,
     temperatureRate = resonator.environment.temperatureRate) "Drives";
+  Noise.CoefficientFlicker flicker(
+    samplePeriod = resonator.thermalPeriod,
+    seed = seed) "Flicker of coefficients of the shell and the pick-offs";
   Noise.ElectronicsNoise noise(
     samplePeriod = samplePeriod,
     bryanFactor = resonator.material.bryanFactor,

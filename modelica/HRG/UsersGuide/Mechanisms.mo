@@ -45,6 +45,7 @@ Earth too, whose rate is 9.65 deg/h about a vertical axis at 39.9 degrees of lat
 <tr><td>35</td><td>harmonics of the rim's mass</td><td><code>resonator.massDefects.first</code>, <code>second</code>, <code>third</code>, their axes; <code>lateralLoss</code>, <code>axialLoss</code>; <code>vibrationForce</code> with input <code>vibration</code></td><td>as 1 with D = (3/4) lateralLoss m1 m3 about (th_1 + 3 th_3)/4 and (1/4) axialLoss m2^2 about th_2; G + (9/16) lateralLoss m1^2; as 27</td></tr>
 <tr><td>36</td><td>rectified vibration</td><td><code>pickOff.vibrationVariance</code> with <code>gainPerAccelerationSquared</code></td><td>as 2 with g = g_2 S df</td></tr>
 <tr><td>37</td><td>anisotropy of parametric drive</td><td><code>drive.pumpAnisotropy</code>, <code>pumpAxis</code>; and from 32, n = -(3/2) E about its axis</td><td>with <code>parametricShare</code> = 1: B = (n/2k tau) sin 4(th - th_n), G -(n/tau) cos 4(th - th_n)</td></tr>
+<tr><td>38</td><td>flicker of D, g and p</td><td><code>flicker.dampingAnisotropy</code> (relative to D), <code>flicker.gainMismatch</code>, <code>flicker.phaseError</code></td><td>as 1, 2, 7 with D (1 + x), g + x, p + x, x of density B^2/(2 pi f): at a fixed angle an Allan deviation of 0.664 B times the bias of 1, 2, 7 per unit; of g beside it the angle's</td></tr>
 </table>
 <p>The same gyro in its modes:</p>
 <table border=\"1\">

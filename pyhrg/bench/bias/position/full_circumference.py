@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import pandas as pd
 from matplotlib.figure import Figure
 from scipy import stats
 
@@ -223,7 +224,17 @@ def evaluate(campaign: Campaign) -> Outcome:
         exclusions=tuple(exclusions),
         draw=lambda figure: draw(figure, runs, fitted),
         values={"bias_map": {name: fitted.value(name) for name in fitted.names}},
+        points=_tabulate_points(test, within, fitted),
     )
+
+
+def _tabulate_points(test: BiasTest, within: Finding, fitted: RestRateMap) -> pd.DataFrame:
+    """The data points; where the tilt of the input axis is fitted, without it as well."""
+    points, name = test.tabulate_points(within), "bias_without_tilt_deg_per_h"
+    if fitted.tilt:
+        points[name] = np.concatenate([fitted.remove_tilt(r) for r in test.runs]) / DEG_PER_H
+        points.attrs["units"][name] = "deg/h"
+    return points
 
 
 def _describe_verdict(test: BiasTest, within: float, between: float) -> str:

@@ -75,7 +75,9 @@ def test_intervals_of_a_ring_down_hold_a_large_split(slow_fmu: GyroFmu) -> None:
 
 def test_a_split_that_leaves_no_rows_is_refused(slow_fmu: GyroFmu) -> None:
     bench = slow_bench(slow_fmu, replace(QUIET, frequency_split=0.5))
-    with pytest.raises(BenchError, match=r"79.6 mHz allows 1 s of a ring-down .* 10 rows of 0.1 s"):
+    with pytest.raises(
+        BenchError, match=r"79\.6 mHz allows 1 s of a ring-down .* 10 rows of 0\.1 s"
+    ):
         ring_down.evaluate(bench.campaign(ring_down.record(bench, positions=2, decay=30.0)))
 
 

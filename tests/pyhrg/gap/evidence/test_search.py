@@ -25,7 +25,7 @@ def test_two_effects_are_found_behind_one_term() -> None:
     small = 20 * (columns[:, 0] - columns[:, 1]) / np.linalg.norm(columns[:, 0] - columns[:, 1])
     large = 500 * (columns[:, 2] + columns[:, 3])
     others = generator.standard_normal((ROWS, len(terms))) / np.sqrt(ROWS)
-    others[:, 0] = small / 20 + 0.3 * others[:, 0]
+    others[:, 0] = small / 20 + 0.4 * others[:, 0]
     all_columns = np.column_stack([columns, others / np.linalg.norm(others, axis=0)])
     residual = small + large + generator.standard_normal(ROWS)
     groups = {group: np.array([i]) for i, group in enumerate((*effects, *terms))}
@@ -34,7 +34,7 @@ def test_two_effects_are_found_behind_one_term() -> None:
         all_columns.T @ residual,
         float(residual @ residual),
         groups,
-        np.ones(len(groups)),
+        np.full(len(groups), 1e5),  # 20 sigma are a typical size
         (),
     )
     assert set(rank_sets(design).best.groups) == set(effects[:4])

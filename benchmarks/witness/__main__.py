@@ -31,8 +31,8 @@ from ins_eval.study.gyros.population import RAW, TRIMMED
 from ins_eval.study.witness.judge import list_figures, score_witnesses
 from ins_eval.study.witness.self_test import HALF_PERIOD, ROTATION
 from pyhrg.common.units import DEG, DEG_PER_H
+from pyhrg.witness.design import Motion, stack_signals
 from pyhrg.witness.mechanisms import NAMES
-from pyhrg.witness.responses import Motion, stack_signals
 
 GYROS, TRAINING, JUDGED, FLOWN, BENCHED = 24, 60, 80, 20, 16
 FIRST_JUDGED = 100

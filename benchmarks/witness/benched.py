@@ -14,11 +14,12 @@ from ins_eval.study.witness.witnessed import read_true_changes
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.fmu import GyroFmu
+from pyhrg.witness.design import TERMS
 from pyhrg.witness.fit import Flown, fit_changes
 from pyhrg.witness.information import compute_normalized_square
 from pyhrg.witness.mechanisms import change_device
 from pyhrg.witness.replay import read_witnesses
-from pyhrg.witness.responses import TERMS, measure_output
+from pyhrg.witness.responses import measure_output
 from tests.pyhrg.witness.flights import fly
 
 DURATION = 600.0

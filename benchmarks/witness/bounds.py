@@ -20,12 +20,13 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG_PER_H, MINUTE
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
+from pyhrg.witness.design import Motion
 from pyhrg.witness.information import (
     accumulate_information,
     compute_posterior,
 )
 from pyhrg.witness.mechanisms import NAMES, THERMAL
-from pyhrg.witness.responses import Motion, Responses, measure_responses
+from pyhrg.witness.responses import Responses, measure_responses
 
 ENDS = (0.0, 1 * MINUTE, 10 * MINUTE, 60 * MINUTE)
 """Times after the alignment, s, at which the bound is taken; the channels count from power-on."""

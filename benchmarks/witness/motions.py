@@ -10,7 +10,7 @@ from ins_eval.mission_model.missions import STILL, plan_mission
 from ins_eval.mission_model.signals import compute_case_warming_rate, compute_resonator_warmth
 from ins_eval.study.witness.self_test import rotate_virtually
 from pyhrg.common.arrays import Array
-from pyhrg.witness.responses import Motion, stack_signals
+from pyhrg.witness.design import Motion, stack_signals
 
 ROW = 0.5
 """Length of a row, s."""

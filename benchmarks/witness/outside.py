@@ -7,11 +7,12 @@ import numpy as np
 
 from pyhrg.common.arrays import Array
 from pyhrg.fmu import GyroFmu
+from pyhrg.witness.design import TERMS
 from pyhrg.witness.estimate import SIGNIFICANCE
 from pyhrg.witness.fit import Flown, fit_changes
 from pyhrg.witness.mechanisms import change_device
 from pyhrg.witness.replay import read_witnesses
-from pyhrg.witness.responses import TERMS, measure_output, measure_responses
+from pyhrg.witness.responses import measure_output, measure_responses
 from tests.pyhrg.witness.flights import GYRO, PRIOR, draw_changes, fly
 
 CHANGES = {

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from pyhrg.common.arrays import Array
+from pyhrg.witness.design import TERMS
 from pyhrg.witness.information import compute_maps_response
-from pyhrg.witness.responses import TERMS, Responses
+from pyhrg.witness.responses import Responses
 
 
 @dataclass(frozen=True)

@@ -12,12 +12,13 @@ from pyhrg.common.units import DEG_PER_H
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.records.log import Log
+from pyhrg.witness.design import HARMONICS
 from pyhrg.witness.fit import SIGNIFICANCE, Flown, fit_changes
 from pyhrg.witness.information import compute_maps_response
 from pyhrg.witness.mechanisms import NAMES, change_device
 from pyhrg.witness.prior import Prior
 from pyhrg.witness.replay import read_witnesses
-from pyhrg.witness.responses import HARMONICS, measure_output, measure_responses
+from pyhrg.witness.responses import measure_output, measure_responses
 
 SIGMAS = f"{'sigma':>12s}{'without log':>12s}"
 """Heading of two columns of standard deviations."""
@@ -36,8 +37,8 @@ class MapEstimate:
     temperature, angle: of the resonator above the reference, K, and of the pattern, rad, at the
     log's end; burst_share: share of the rows that were limited; p_value: as of `Filtered`.
 
-    Where the channels hold what no mechanism makes, `is_explained` is False, and changes and
-    covariance are those of the prior.
+    Where the channels hold what no mechanism makes, or the estimate has not settled, `is_explained`
+    is False, and changes and covariance are those of the prior.
     """
 
     changes: Array
@@ -51,12 +52,9 @@ class MapEstimate:
     angle: float
     burst_share: float
     p_value: float
+    is_explained: bool
 
     __repr__ = describe_briefly
-
-    @property
-    def is_explained(self) -> bool:
-        return self.p_value > SIGNIFICANCE
 
     @property
     def summary(self) -> str:
@@ -64,24 +62,39 @@ class MapEstimate:
         lines = [
             f"{'bias map, deg/h':28s}{'calibrated':>12s}{'now':>12s}{SIGMAS}",
             *(
-                f"{name:28s}" + "".join(f"{x:12.5f}" for x in row.values())
+                f"{name:28s}{row['calibrated']:12.5f}{self._show(row['now'], '.5f')}"
+                f"{row['sigma']:12.5f}{row['sigma_without_log']:12.5f}"
                 for name, row in self._tabulate_map().items()
             ),
             "",
-            f"{'change since calibration':34s}{'now':>12s}{SIGMAS}",
+            f"{'change since calibration, SI':34s}{'now':>12s}{SIGMAS}",
             *(
-                f"{name:34s}{row['now']:12.3g}{row['sigma']:12.2g}{row['sigma_without_log']:12.2g}"
+                f"{name:34s}{self._show(row['now'], '.3g')}"
+                f"{row['sigma']:12.2g}{row['sigma_without_log']:12.2g}"
                 for name, row in self._tabulate_changes().items()
             ),
             "",
             f"temperature {self.temperature:+.2f} K; {self.burst_share:.1%} of the rows are bursts",
         ]
-        if not self.is_explained:
+        if fixed := [
+            n for n, v in zip(NAMES, self.prior.covariance.diagonal(), strict=True) if not v
+        ]:
             lines.append(
-                "the forces hold what no drifting mechanism makes "
-                f"(p = {self.p_value:.1g}): the log is not followed"
+                f"taken as unchanged: {', '.join(fixed)} (a drift is a share of what the device "
+                "states, and a share of 0 is 0)"
             )
+        if not self.is_explained:
+            reason = (
+                f"the forces hold what no drifting mechanism makes (p = {self.p_value:.1g})"
+                if self.p_value <= SIGNIFICANCE
+                else "the estimate has not settled"
+            )
+            lines.append(f"{reason}: the log is not followed")
         return "\n".join(lines)
+
+    def _show(self, now: float, digits: str) -> str:
+        """A dash where the log is not followed: nothing was estimated."""
+        return f"{now:12{digits}}" if self.is_explained else f"{'-':>12s}"
 
     @property
     def document(self) -> dict[str, Any]:
@@ -92,7 +105,7 @@ class MapEstimate:
             "temperature_k": float(self.temperature),
             "burst_share": float(self.burst_share),
             "p_value": float(self.p_value),
-            "is_explained": bool(self.is_explained),
+            "is_explained": self.is_explained,
         }
 
     def _tabulate_map(self) -> dict[str, dict[str, float]]:
@@ -158,4 +171,5 @@ def estimate_map(log: Log, device: Device, prior: Prior) -> MapEstimate:
         angle=fitted.angle,
         burst_share=fitted.burst_share,
         p_value=fitted.p_value,
+        is_explained=fitted.is_explained,
     )

@@ -9,20 +9,13 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD, GyroFmu, record_together
+from pyhrg.witness.design import Motion, compute_change_design, evaluate_motion
 from pyhrg.witness.filter import filter_rows
 from pyhrg.witness.information import compute_normalized_square, factor_covariance
 from pyhrg.witness.mechanisms import COUNT, FOLLOWED, STEADY, TEMPERATURE_RATE, change_device
 from pyhrg.witness.prior import Prior
 from pyhrg.witness.replay import SETTLING, Replay, Witnesses, guess_course, replay
-from pyhrg.witness.responses import (
-    FORCES,
-    Motion,
-    Responses,
-    compute_change_design,
-    evaluate_motion,
-    measure_channels,
-    measure_responses,
-)
+from pyhrg.witness.responses import FORCES, Responses, measure_channels, measure_responses
 
 STAGES = 6
 """Largest number of times that the gyro is replayed and its sensitivities are taken, with the

@@ -6,8 +6,9 @@ Equations are those of docs/methods/witness.md. States are changes of `mechanism
 import numpy as np
 
 from pyhrg.common.arrays import Array
+from pyhrg.witness.design import POWERS, Motion, compute_design
 from pyhrg.witness.mechanisms import COUNT, STEADY
-from pyhrg.witness.responses import POWERS, Motion, Responses, compute_design
+from pyhrg.witness.responses import Responses
 
 PIECE = 20_000
 """Number of rows that are taken at once; it bounds memory. Chosen."""

@@ -17,7 +17,8 @@ from pyhrg.common.errors import HrgError
 from pyhrg.device.device import Device
 from pyhrg.fmu import Gyro, GyroFmu, record_together
 from pyhrg.records.log import Log
-from pyhrg.witness.responses import FORCES, SOAKED_LAG, Motion, stack_signals
+from pyhrg.witness.design import Motion, stack_signals
+from pyhrg.witness.responses import FORCES, SOAKED_LAG
 
 REQUIRED = ("wave_angle", "amplitude_force", "quadrature_force", "frequency_offset")
 """Columns without which nothing is estimated."""

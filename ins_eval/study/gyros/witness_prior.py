@@ -22,6 +22,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.units import STANDARD_GRAVITY
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
+from pyhrg.witness.design import Motion, stack_signals
 from pyhrg.witness.information import (
     accumulate_information,
     accumulate_output_information,
@@ -29,7 +30,7 @@ from pyhrg.witness.information import (
 )
 from pyhrg.witness.mechanisms import COUNT, STEADY, read_values
 from pyhrg.witness.prior import Prior, compute_turn_on_covariance, make_drift_prior
-from pyhrg.witness.responses import Motion, Responses, measure_responses, stack_signals
+from pyhrg.witness.responses import Responses, measure_responses
 
 DRAWS = 400
 """Number of gyros by which a population's spread is taken. Chosen: known to 4 %."""

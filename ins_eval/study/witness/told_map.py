@@ -28,6 +28,7 @@ from ins_eval.study.predictors.prediction import NormalPrediction
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
+from pyhrg.witness.design import POWERS
 from pyhrg.witness.mechanisms import COUNT as MECHANISMS
 from pyhrg.witness.mechanisms import (
     FOLLOWED,
@@ -37,7 +38,7 @@ from pyhrg.witness.mechanisms import (
     change_device,
     read_values,
 )
-from pyhrg.witness.responses import POWERS, Responses, measure_channels
+from pyhrg.witness.responses import Responses, measure_channels
 
 OUTPUT, MAPS = 2, slice(0, 2)
 """Place of the output among the channels, and of bias and scale-factor error among its motions."""

@@ -12,11 +12,12 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.fmu import GyroFmu
 from pyhrg.records.log import Log
+from pyhrg.witness.design import TERMS
 from pyhrg.witness.fit import FittedChanges, Flown, fit_changes
 from pyhrg.witness.information import compute_maps_response, compute_normalized_square
 from pyhrg.witness.mechanisms import change_device
 from pyhrg.witness.replay import read_witnesses
-from pyhrg.witness.responses import TERMS, Responses
+from pyhrg.witness.responses import Responses
 from tests.pyhrg.witness.flights import GYRO, PRIOR, RISE, burst, draw_changes, fly
 
 FLIGHTS, DURATION = 6, 600.0
@@ -109,6 +110,16 @@ def test_what_the_states_do_not_make_is_not_followed(
     assert np.array_equal(found.changes, PRIOR.mean)
     assert np.array_equal(found.maps_covariance, found.maps_prior)
     assert "is not followed" in found.summary
+
+
+def test_what_has_not_settled_is_not_followed(
+    flights: list[Flight], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One stage leaves an error of its own relative size, and the forces alone do not show it."""
+    monkeypatch.setattr("pyhrg.witness.fit.STAGES", 1)
+    found = pyhrg.estimate_map(flights[0].log, GYRO, PRIOR)
+    assert np.array_equal(found.changes, PRIOR.mean)
+    assert "has not settled: the log is not followed" in found.summary
 
 
 def test_a_log_without_a_channel_is_refused(flights: list[Flight]) -> None:

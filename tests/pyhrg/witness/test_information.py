@@ -12,13 +12,14 @@ from benchmarks.witness.uncertainty import (
 )
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
+from pyhrg.witness.design import TERMS, Motion, evaluate_angles, stack_signals
 from pyhrg.witness.information import (
     accumulate_information,
     compute_maps_response,
     compute_posterior,
 )
 from pyhrg.witness.mechanisms import COUNT, find
-from pyhrg.witness.responses import TERMS, Motion, Responses, evaluate_angles, stack_signals
+from pyhrg.witness.responses import Responses
 from tests.pyhrg.witness.flights import GYRO, LINEAR_PRIOR
 
 DURATION = 600.0

@@ -8,8 +8,9 @@ import pytest
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
 from pyhrg.theory import closed_forms
+from pyhrg.witness.design import Motion, compute_design, stack_signals
 from pyhrg.witness.mechanisms import COUNT, MECHANISMS, NAMES, change_device, find, read_values
-from pyhrg.witness.responses import Motion, Responses, compute_design, stack_signals
+from pyhrg.witness.responses import Responses
 from tests.pyhrg.witness.flights import GYRO
 
 FOURTH = slice(3, 5)

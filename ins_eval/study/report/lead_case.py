@@ -6,6 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from ins_eval.common.metrics import MIN_SAMPLE_FOR_MEDIAN
+from ins_eval.common.metrics import median_interval as find_median_interval
 from ins_eval.study.predictors.stability_rule import DRIFT_PER_STABILITY
 from ins_eval.study.report.distances import NMI, format_distance, format_range
 from ins_eval.study.report.figures.parts import draw_axes
@@ -40,6 +42,20 @@ class LeadCase:
         """(n,) horizontal errors at the end, m."""
         return np.asarray(self.flown[:, -1])
 
+    @property
+    def median(self) -> float:
+        """Median error at the end, m."""
+        return float(np.median(self.final))
+
+    @property
+    def median_interval(self) -> tuple[float, float] | None:
+        """95 % interval of the median by order statistics, m; None with too few flights."""
+        return None if len(self.final) < MIN_SAMPLE_FOR_MEDIAN else find_median_interval(self.final)
+
+    def _describe_interval(self) -> str:
+        interval = self.median_interval
+        return f" (95 %: {format_range(*interval)})" if interval else ""
+
     def promise(self, stability: float) -> Array:
         """(k,) error by the usual rule from a stability, deg/h; m."""
         return np.asarray(DRIFT_PER_STABILITY * stability * DEG_PER_H * self.time)
@@ -57,7 +73,7 @@ class LeadCase:
     @property
     def sentences(self) -> tuple[str, str, str]:
         """What the two tests promise, and what is flown."""
-        median = float(np.median(self.final))
+        median = self.median
         hours = self.time[-1] / HOUR
         over = median / self.promised_fixed
         against = self.promised_circumference / median
@@ -69,20 +85,23 @@ class LeadCase:
             f"Over the full circumference it has {self.circumference_stability:.2g} deg/h, which "
             f"promises {format_distance(self.promised_circumference)}.",
             f"Three such gyros, co-simulated from {len(self.final)} start angles, err by "
-            f"{format_distance(median)}, the median of flights from "
+            f"{format_distance(median)}, the median{self._describe_interval()} of flights from "
             f"{format_range(self.final.min(), self.final.max())}: {over:.2g} times what the fixed "
-            f"position promises; the circumference promises {size}.",
+            f"position promises; the circumference promises {size}. Their mean over the "
+            "circumference is taken out, and their patterns start anywhere.",
         )
 
     @property
     def headline(self) -> str:
         """All of it in one sentence."""
-        promised = (self.promised_fixed, self.promised_circumference, float(np.median(self.final)))
+        promised = (self.promised_fixed, self.promised_circumference, self.median)
         fixed, circumference, flown = map(format_distance, promised)
+        ends = format_range(self.final.min(), self.final.max())
         return (
             f"After {self.time[-1] / HOUR:g} h in a {self.mission}, a navigator with three gyros "
-            f"of the paper's Table 2 is {flown} off; the test at a fixed position promises "
-            f"{fixed}, the test over the full circumference {circumference}."
+            f"of the paper's Table 2 is {flown} off, the median of {len(self.final)} flights from "
+            f"{ends}; the test at a fixed position promises {fixed}, the test over the full "
+            f"circumference {circumference}."
         )
 
     @property

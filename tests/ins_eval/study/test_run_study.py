@@ -84,6 +84,8 @@ def test_interruption_says_how_to_go_on(tmp_path: Path, monkeypatch: pytest.Monk
     def interrupt(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(front_door, "make_experiment", lambda: replace(CHEAP, prepare=interrupt))
+    monkeypatch.setattr(
+        front_door, "make_experiment", lambda study: replace(CHEAP, prepare=interrupt)
+    )
     with pytest.raises(KeyboardInterrupt, match="the same command goes on from here"):
         run_study(cases.study(), tmp_path / "out", seed=4)

@@ -13,7 +13,7 @@ from ins_eval.study.report.claims import (
 from ins_eval.study.report.figures.matrix import render_estimate
 from ins_eval.study.report.figures.parts import make_fold, name_calibration
 from ins_eval.study.study_data import CONDITIONS_KEY, StudyData
-from ins_eval.study.tables.score import FAILS, HOLDS, Score
+from ins_eval.study.tables.score import ALL, FAILS, HOLDS, Score
 from pyhrg.common.pages.markup import make_paragraph
 
 CAPTION = (
@@ -74,7 +74,7 @@ def _render_calibration(data: StudyData, calibration: str, classes: Sequence[str
 
 def _render_claim(judged: JudgedClaim, classes: Sequence[str]) -> str:
     """Rows of a claim: its requirements, then the figures that explain it."""
-    scores = [*judged.by_class, *judged.beside]
+    scores = [s for s in (*judged.by_class, *judged.beside) if s.mission_class != ALL]
     kinds = list(dict.fromkeys((s.score, s.predictor) for s in scores))
     rows = []
     for number, kind in enumerate(kinds):

@@ -88,9 +88,13 @@ CLAIMS = (
         ),
         (
             (FLIGHT_SPEARMAN, CIRCUMFERENCE_RULE, FLIGHT_RANK),
-            (FLIGHT_SPEARMAN_GAIN, CIRCUMFERENCE_RULE, "that less the fixed position's, paired"),
+            (FLIGHT_SPEARMAN_GAIN, CIRCUMFERENCE_RULE, f"{FLIGHT_RANK} less the fixed position's"),
             (R2_RADIAL, CIRCUMFERENCE_CLASS, "R2 of single flights, by the class constant"),
-            (R2_OVER_FIXED, CIRCUMFERENCE_CLASS, "that less the fixed position's, paired"),
+            (
+                R2_OVER_FIXED,
+                CIRCUMFERENCE_CLASS,
+                "R2 less that of the fixed position, own constant",
+            ),
         ),
     ),
     Claim(
@@ -114,8 +118,8 @@ CLAIMS = (
 
 @dataclass(frozen=True)
 class JudgedClaim:
-    """A claim and its scores: those of each class, which decide, those over all classes, and by
-    class those that explain it."""
+    """A claim and its scores: those of each class, which decide, those over all classes, and those
+    that explain it."""
 
     claim: Claim
     by_class: Sequence[Score]
@@ -151,7 +155,11 @@ class JudgedClaim:
 
 def judge_claims(data: StudyData, calibration: str) -> list[JudgedClaim]:
     """The claims on the judged triads of a calibration; none without scores."""
-    scores = [s for s in data.scores if s.calibration == calibration and not s.shuffled]
+    order = [ALL, *data.classes]
+    scores = sorted(
+        (s for s in data.scores if s.calibration == calibration and not s.shuffled),
+        key=lambda s: order.index(s.mission_class),
+    )
     judged = [_judge(claim, scores) for claim in CLAIMS]
     return [each for each in judged if each.by_class]
 
@@ -225,16 +233,16 @@ def describe_claim(judged: JudgedClaim) -> str:
         f"({judged.claim.letter}) {judged.claim.statement}: {judged.verdict.upper()} "
         f"(n = {judged.n} triads, {kinds})."
     ]
-    scores = [*judged.by_class, *judged.beside]
+    scores = [*judged.overall, *judged.by_class, *judged.beside]
     for kind in dict.fromkeys((s.score, s.predictor) for s in scores):
         here = [s for s in scores if (s.score, s.predictor) == kind]
         words, asked = name_requirement(judged.claim, here[0]), here[0].asked
         head = f"{words}, required {asked}" if asked else f"beside it: {words}"
         figures = (
-            f"{s.mission_class} {format_score(s)}" + (f" {s.verdict}" if s.verdict else "")
+            f"{s.mission_class} {format_score(s)} {'' if s.mission_class == ALL else s.verdict}"
             for s in here
         )
-        lines.append(f"    {head}: {'; '.join(figures)}")
+        lines.append(f"    {head}: {'; '.join(each.rstrip() for each in figures)}")
     return "\n".join(lines)
 
 
@@ -269,7 +277,7 @@ def _judge(claim: Claim, scores: Sequence[Score]) -> JudgedClaim:
         claim,
         [s for s in asked if s.mission_class != ALL],
         [s for s in asked if s.mission_class == ALL],
-        [s for s in beside if s.mission_class != ALL],
+        beside,
     )
 
 

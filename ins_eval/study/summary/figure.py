@@ -75,7 +75,10 @@ def draw_lead(axes: Axes, case: LeadCase) -> None:
     axes.set_yscale("log")
     axes.set_xlabel("time since alignment, h")
     axes.set_ylabel(f"horizontal position error, {NMI}, log axis")
-    axes.set_title(f"The gyro of the paper's Table 2, mean removed: {case.mission}", fontsize=11)
+    axes.set_title(
+        f"Gyro of the paper's Table 2 in a {case.mission}, circumference's mean removed",
+        fontsize=11,
+    )
     _finish(axes)
 
 

@@ -68,7 +68,8 @@ def _describe_lead(case: LeadCase) -> dict[str, Any]:
     """The lead case; all its flights are co-simulated."""
     flown, interval = case.final / NAUTICAL_MILE, case.median_interval
     return {
-        "case": f"{case.device}, mean removed, {case.mission}, {case.time[-1] / 3600:g} h",
+        "case": f"{case.device}, mean over the circumference removed, {case.mission}, "
+        f"{case.time[-1] / 3600:g} h",
         "predicted": {
             "fixed_position": {
                 "bias_stability_deg_h": case.fixed_stability,

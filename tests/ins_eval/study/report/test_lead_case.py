@@ -25,8 +25,7 @@ def test_sentences_are_of_the_promises_and_the_flights() -> None:
     assert (
         "err by 5 nmi (9.3 km), the median of flights from 2 to 10 nmi (3.7 to 19 km): 56 " in third
     )
-    assert "the circumference promises 2 times as much." in third
-    assert third.endswith("and their patterns start anywhere.")
+    assert third.endswith("the circumference promises 2 times as much.")
     assert case.drawing.count('class="flight"') == 3
 
 

@@ -6,11 +6,12 @@ from matplotlib.figure import Figure
 
 from ins_eval.aided.bias_map import BiasMap
 from ins_eval.aided.hold_out import HoldOut
-from ins_eval.error_model.budget_figure import COLOURS
+from ins_eval.error_model.error_budget import BODY
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG_PER_H, MINUTE
 
 ANGLES = np.linspace(0.0, np.pi, 361)
+COLOURS = dict(zip(BODY, ("tab:blue", "tab:orange", "tab:green"), strict=True))
 BINS = 90
 """Parts of the half turn in which angles that were visited are marked."""
 

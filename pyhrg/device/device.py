@@ -107,6 +107,9 @@ class Device(LoopAndBenchParameters):
             angle_random_walk=0.0,
             rate_random_walk=0.0,
             bias_instability=0.0,
+            damping_anisotropy_flicker=0.0,
+            pickoff_gain_flicker=0.0,
+            phase_flicker=0.0,
             angle_white_noise=0.0,
             model={name: v for name, v in self.model.items() if not name.startswith("noise.")},
         )

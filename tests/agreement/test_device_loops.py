@@ -10,7 +10,7 @@ import pytest
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_SQRT_H
 from pyhrg.device import device_file
 from pyhrg.fmu import Gyro, GyroFmu
-from tests.agreement.device_keys import gyro
+from tests.agreement.device_keys import K, gyro
 from tests.driving import advance, drive
 
 
@@ -79,3 +79,31 @@ def test_slow_noises_are_the_coefficients_of_ieee_952() -> None:
         },
         abs=0.0,
     )
+
+
+@pytest.mark.parametrize(("angle", "share"), [(20 + 22.5, 1.0), (20 + 7.5, 0.5), (20.0, 0.0)])
+def test_flicker_of_the_damping_goes_with_the_angle(
+    fmu: GyroFmu, angle: float, share: float
+) -> None:
+    """Allan deviation 0.664 B (D/4k) |s4'| of 400 means of 1 s, within 20 %; 1e-3 along the axis,
+    where the mean bias turns the pattern by nothing."""
+    keys = {
+        "damping_anisotropy_per_s": 1e-7,
+        "damping_axis_deg": 20.0,
+        "damping_anisotropy_flicker": 0.1,
+    }
+    size = 0.664 * 0.1 * 1e-7 / (4 * K)
+    with gyro(fmu, keys, angle * DEG) as running:
+        advance(running, 0.0, 5.0)
+        means = np.diff(drive(running, np.zeros(401), 1.0))
+    deviation = math.sqrt(np.mean(np.diff(means) ** 2) / 2)
+    assert deviation == pytest.approx(share * size, rel=0.2, abs=1e-3 * size)
+
+
+def test_flickers_of_the_electrodes_are_their_coefficients() -> None:
+    """What the FMU makes of them is a claim of `HRG.Validation.RandomErrors`."""
+    keys = {"pickoff_gain_flicker": 1e-6, "phase_flicker_rad": 2e-6}
+    device = device_file.from_table(keys, "test")
+    parameters = {"flicker.gainMismatch": 1e-6, "flicker.phaseError": 2e-6}
+    assert device.fmu_parameters() == parameters
+    assert device.without_noise().fmu_parameters() == {}

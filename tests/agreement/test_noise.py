@@ -18,6 +18,10 @@ SOURCE = """
 API double central(double q) { return f_HRG_Noise_centralQuantile(q); }
 API double tail(double p) { return f_HRG_Noise_tailQuantile(p); }
 API void seeded(double seed, double *memory) { f_seededState(seed, memory); }
+API void seed_flickers(double seed, double *memory) { f_seededFlickers(seed, memory); }
+API void flicker(const double *memory, const double *decays, double *next) {
+  f_flickers(memory, decays, next);
+}
 API void advance(const double *memory, double *next) { f_deviates(memory, next); }
 """
 DRAWS = 20_000
@@ -82,3 +86,23 @@ def test_deviates_are_normal_and_independent(kernel: ctypes.CDLL, seed: int) -> 
     assert np.max(np.abs(between)) < 5 / np.sqrt(DRAWS)
     serial = np.mean(values[1:] * values[:-1], axis=0)
     assert np.max(np.abs(serial)) < 5 / np.sqrt(DRAWS)
+
+
+@pytest.mark.parametrize("seed", [0, 2**31 - 1])
+def test_flickers_have_generators_of_their_own(kernel: ctypes.CDLL, seed: int) -> None:
+    """Lags that forget at once, one of each noise, hand over the deviates: uniform, of variance 1,
+    independent of each other and of the electronics' noise; correlations within 5 sigma."""
+    decays = np.zeros(16)
+    decays[8] = 1.0
+    memory, following = np.zeros(45), np.zeros(45)
+    at, then, by = (ctypes.c_void_p(a.ctypes.data) for a in (memory, following, decays))
+    kernel.seed_flickers(ctypes.c_double(seed), at)
+    values = np.empty((DRAWS, 3))
+    for row in values:
+        kernel.flicker(at, by, then)
+        memory[:] = following
+        row[:] = memory[42:]
+    for column in values.T:
+        assert stats.kstest(column, "uniform", (-np.sqrt(3), 2 * np.sqrt(3))).pvalue > 1e-4
+    between = np.corrcoef(np.hstack([values, draws(kernel, seed)]).T) - np.eye(14)
+    assert np.max(np.abs(between)) < 5 / np.sqrt(DRAWS)

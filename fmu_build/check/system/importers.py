@@ -25,6 +25,8 @@ from fmu_build.check.importers import (
 from fmu_build.check.system.archive import System
 
 SSP = ("SSP 1.0", "SSP 2.0")
+OWN_CONNECTORS = "connectors of the system itself; FMPy does"
+"""What no importer here runs: a parameter set or another FMU gives the value instead."""
 BETWEEN = "::"
 """Between component and variable, as Ecos wants it."""
 STEP_SHARE = 1e-2
@@ -56,7 +58,7 @@ def plan_run(system: System) -> SystemRun:
     }
     needed = {name_standard(fmu) for fmu in system.fmus.values()}
     if system.connectors[None]:
-        needed.add("connectors of the system itself")
+        needed.add(OWN_CONNECTORS)
     return SystemRun(
         path=str(system.path.resolve()),
         standards=(f"SSP {system.structure.get('version')}", *sorted(needed)),

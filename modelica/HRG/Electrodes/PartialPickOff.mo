@@ -35,6 +35,8 @@ partial block PartialPickOff "Errors of pick-offs, demodulation and converters"
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
   input Units.AngularVelocity turning "Rate of the modal angle, as the case turns and as commanded";
   input Units.DimensionlessRatio biasVoltage "Over the nominal one";
+  input Units.DimensionlessRatio gainFlicker "Change of g by its flicker";
+  input Units.Angle phaseFlicker "Change of p by its flicker";
   input Units.RelativeDisplacement noise[4] "Noise of the demodulated channels";
   output Units.RelativeDisplacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
 protected
@@ -52,18 +54,18 @@ protected
   Units.DimensionlessRatio share "Share of x in y";
   Units.DimensionlessRatio mismatch "g under temperature and specific force";
   Units.DimensionlessRatio gain[2] "Of x and y, for small vibrations";
-  Units.DimensionlessRatio turn[2] "Cosine and sine of the phase by temperature";
+  Units.DimensionlessRatio turn[2] "Cosine and sine of the phase by temperature and flicker";
   Units.DimensionlessRatio phasor[4] "Cosine and sine of the phase of x, and of y";
 equation
   share = obliquity + samplingSkew*turning;
-  mismatch = steadyMismatch + gainPerKelvin*temperature + gainPerGradient*gradient + gainAgeing*age
+  mismatch = steadyMismatch + gainPerKelvin*temperature + gainPerGradient*gradient + gainAgeing*age + gainFlicker
     + gainPerAcceleration[1]*acceleration[1] + gainPerAcceleration[2]*acceleration[2]
     + gainPerAcceleration[3]*acceleration[3]
     + gainPerAccelerationSquared[1]*acceleration[1]^2 + gainPerAccelerationSquared[2]*acceleration[2]^2
     + gainPerAccelerationSquared[3]*acceleration[3]^2;
   sensitivity = scale + gainPerVoltage*(biasVoltage - 1);
   gain = {sensitivity*(1 + mismatch/2), sensitivity*(1 - mismatch/2)};
-  turn = {cos(phasePerKelvin*temperature), sin(phasePerKelvin*temperature)};
+  turn = {cos(phasePerKelvin*temperature + phaseFlicker), sin(phasePerKelvin*temperature + phaseFlicker)};
   phasor = {
     axes[1]*turn[1] - axes[2]*turn[2],
     axes[2]*turn[1] + axes[1]*turn[2],
@@ -71,11 +73,11 @@ equation
     axes[4]*turn[1] + axes[3]*turn[2]};
   annotation (Documentation(info="<html>
 <p>With T the temperature above the reference, f the specific force and V the bias voltage over the nominal one,</p>
-<pre>g = gainMismatch + gainPerKelvin T + gainPerGradient (case's temperature - resonator's) + gainAgeing age + gainPerAcceleration f + gainPerAccelerationSquared (f^2 + vibrationVariance) (each axis by itself)
+<pre>g = gainMismatch + gainPerKelvin T + gainPerGradient (case's temperature - resonator's) + gainAgeing age + flicker + gainPerAcceleration f + gainPerAccelerationSquared (f^2 + vibrationVariance) (each axis by itself)
 gain of x, y = m (1 + g/2), m (1 - g/2), m = 1 + gainPerVoltage (V - 1)
-phase of x, y = phaseError + phasePerKelvin T + differentialPhase/2, - differentialPhase/2</pre>
+phase of x, y = phaseError + phasePerKelvin T + flicker + differentialPhase/2, - differentialPhase/2</pre>
 <p>While the modal angle turns, a y that is sampled later has turned on by that time: y reads y + (d + samplingSkew turning) x.
-The electrode ring adds its g and d, and scales both gains. Mechanisms 2, 4, 7, 10 to 13, 24, 25, 28, 30, 31, 34 and 36 of the catalogue. Non-orthogonality comes first, then the cubic
+The electrode ring adds its g and d, and scales both gains. Mechanisms 2, 4, 7, 10 to 13, 24, 25, 28, 30, 31, 34, 36 and 38 of the catalogue. Non-orthogonality comes first, then the cubic
 nonlinearity and the gain, the phase (the complex envelope cx - i sx times exp(i p)), and offset, feedthrough, noise and
 the converter.</p>
 </html>"));

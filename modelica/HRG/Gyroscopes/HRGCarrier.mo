@@ -13,6 +13,7 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     acceleration = {accelerationX, accelerationY, accelerationZ},
     caseTemperature = caseTemperature,
     biasVoltage = biasVoltage,
+    dampingFlicker = flicker.damping,
     vibration = vibration,
     reference = controller.reference,
     pumping = drive.pumping,
@@ -32,6 +33,8 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     age = resonator.environment.age,
     turning = controller.commandedTurn - (1 - controller.forceToRebalance)*resonator.material.coupling,
     biasVoltage = biasVoltage,
+    gainFlicker = flicker.gain,
+    phaseFlicker = flicker.phase,
     noise = noise.displacement) "Pick-offs, converters and demodulation";
   Electrodes.Drive drive(
     ringErrors = ring.errors,
@@ -41,6 +44,9 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     biasVoltage = biasVoltage,
     temperatureRate = resonator.environment.temperatureRate,
     noise = noise.force) "Drives";
+  Noise.CoefficientFlicker flicker(
+    samplePeriod = resonator.thermalPeriod,
+    seed = seed) "Flicker of coefficients of the shell and the pick-offs";
   Noise.ElectronicsNoise noise(
     samplePeriod = samplePeriod,
     bryanFactor = resonator.material.bryanFactor,

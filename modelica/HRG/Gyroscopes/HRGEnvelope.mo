@@ -12,6 +12,7 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
     acceleration = {accelerationX, accelerationY, accelerationZ},
     caseTemperature = caseTemperature,
     biasVoltage = biasVoltage,
+    dampingFlicker = flicker.damping,
     vibration = vibration,
     reference = controller.reference,
     pumping = drive.pumping,
@@ -26,6 +27,8 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
     age = resonator.environment.age,
     turning = controller.commandedTurn - (1 - controller.forceToRebalance)*resonator.material.coupling,
     biasVoltage = biasVoltage,
+    gainFlicker = flicker.gain,
+    phaseFlicker = flicker.phase,
     noise = noise.displacement) "Pick-offs and demodulation";
   Electrodes.Drive drive(
     ringErrors = ring.errors,
@@ -35,6 +38,9 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
     biasVoltage = biasVoltage,
     temperatureRate = resonator.environment.temperatureRate,
     noise = noise.force) "Drives";
+  Noise.CoefficientFlicker flicker(
+    samplePeriod = resonator.thermalPeriod,
+    seed = seed) "Flicker of coefficients of the shell and the pick-offs";
   Noise.ElectronicsNoise noise(
     samplePeriod = samplePeriod,
     bryanFactor = resonator.material.bryanFactor,

@@ -27,6 +27,7 @@ model HRGPlant "Resonator, pick-offs and drives of HRGEnvelope, for electronics 
     acceleration = {accelerationX, accelerationY, accelerationZ},
     caseTemperature = caseTemperature,
     biasVoltage = biasVoltage,
+    dampingFlicker = flicker.damping,
     vibration = vibration,
     reference = reference,
     pumping = drive.pumping,
@@ -41,6 +42,8 @@ model HRGPlant "Resonator, pick-offs and drives of HRGEnvelope, for electronics 
     age = resonator.environment.age,
     turning = commandedRate - (1 - isHeld)*resonator.material.coupling,
     biasVoltage = biasVoltage,
+    gainFlicker = flicker.gain,
+    phaseFlicker = flicker.phase,
     noise = noise.displacement) "Pick-offs and demodulation";
   Electrodes.Drive drive(
     ringErrors = ring.errors,
@@ -54,6 +57,9 @@ model HRGPlant "Resonator, pick-offs and drives of HRGEnvelope, for electronics 
     biasVoltage = biasVoltage,
     temperatureRate = resonator.environment.temperatureRate,
     noise = noise.force) "Drives";
+  Noise.CoefficientFlicker flicker(
+    samplePeriod = resonator.thermalPeriod,
+    seed = seed) "Flicker of coefficients of the shell and the pick-offs";
   Noise.ElectronicsNoise noise(
     samplePeriod = samplePeriod,
     bryanFactor = resonator.material.bryanFactor,

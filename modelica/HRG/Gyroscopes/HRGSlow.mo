@@ -10,6 +10,7 @@ model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-ste
     acceleration = {accelerationX, accelerationY, accelerationZ},
     caseTemperature = caseTemperature,
     biasVoltage = biasVoltage,
+    dampingFlicker = flicker.damping,
     vibration = vibration,
     final thermalPeriod = samplePeriod,
     material(ringErrors = ring.errors),
@@ -24,12 +25,17 @@ model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-ste
     age = resonator.environment.age,
     turning = controller.commandedTurn - (1 - controller.forceToRebalance)*resonator.material.coupling,
     biasVoltage = biasVoltage,
+    gainFlicker = flicker.gain,
+    phaseFlicker = flicker.phase,
     noise = noise.displacement) "Pick-offs and demodulation";
   Electrodes.DriveErrors drive(
     ringErrors = ring.errors,
     acceleration = {accelerationX, accelerationY, accelerationZ},
     biasVoltage = biasVoltage,
     temperatureRate = resonator.environment.temperatureRate) "Drives";
+  Noise.CoefficientFlicker flicker(
+    samplePeriod = resonator.thermalPeriod,
+    seed = seed) "Flicker of coefficients of the shell and the pick-offs";
   Noise.ElectronicsNoise noise(
     samplePeriod = samplePeriod,
     bryanFactor = resonator.material.bryanFactor,
@@ -81,6 +87,7 @@ at rest, so that only the pattern moves, and a step may last a second. The state
 straight line. Noise of pick-offs is that of one control period, read once per output. Outputs change once in a sample period:
 communication steps are best whole multiples of it, and results then don't depend on them.</p>
 <p>The loops of <code>HRGEnvelope</code> follow a turning pattern with a lag that is not in here. It matters where the split is large:
-while the case turns at W the output loses dw^2 W/(2 w^2) of rate, w the natural frequency of the quadrature loop, 1e-7 of W at 0.5 mHz.</p>
+while the case turns at W the output loses (W/2)(dw/w)^2 (1 + cos 8(theta - theta_w)) of rate, w the natural frequency of the quadrature loop:
+1.4e-7 of W at 0.5 mHz, 2.2e-6 at 2 mHz (<code>HRG.Validation.Stiffness.SplitLag</code>).</p>
 </html>"));
 end HRGSlow;

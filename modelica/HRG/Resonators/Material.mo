@@ -37,6 +37,7 @@ block Material "Damping, stiffness and coupling of the shell under its environme
   parameter Units.DimensionlessRatio ringErrors[9] "Errors of the electrode ring, as of Electrodes.ringErrors";
   input Units.TemperatureDifference temperature "Above the reference";
   input Units.Time age "Time since power-on";
+  input Units.DimensionlessRatio dampingFlicker "Relative change of the damping anisotropy by its flicker";
   input Units.DimensionlessRatio biasVoltage "Over the nominal one";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
   input Units.AngularVelocity angularRate "Inertial rate about the input axis";
@@ -59,11 +60,11 @@ protected
   final parameter Units.AngularFrequency trimSin = electrostaticSplit/2*sin(4*electrostaticAxis) + electrostaticShift*ringErrors[9] "Of the trim and the gap, off diagonal";
   Units.DampingCoefficient damping "Mean damping";
   Units.DampingCoefficient dampingCos "Anisotropic damping, diagonal";
-  Units.DimensionlessRatio warmth "Factor of the damping anisotropy by temperature and age";
+  Units.DimensionlessRatio warmth "Factor of the damping anisotropy by temperature, age and flicker";
   Units.DimensionlessRatio voltageChange "Change of the squared bias voltage";
 equation
   damping = exp(decayTimeAgeing*age)/(decayTime*stretched(decayTimePerKelvin*temperature)) + supportLoss;
-  warmth = 1 + dampingAnisotropyPerKelvin*temperature + dampingAnisotropyAgeing*age;
+  warmth = 1 + dampingAnisotropyPerKelvin*temperature + dampingAnisotropyAgeing*age + dampingFlicker;
   dampingCos = ownCos*warmth + mountingCos;
   dampingSin = ownSin*warmth + mountingSin;
   dampingX = damping + dampingCos;
@@ -80,13 +81,13 @@ equation
 <p>With T the temperature above the reference, V the bias voltage over the nominal one, f the specific force and {c, s} = {cos, sin} of four
 times an axis,</p>
 <pre>1/tau = exp(decayTimeAgeing age)/(decayTime (1 + decayTimePerKelvin T)) + supportLoss
-(D/2) {ct, st} = (dampingAnisotropy/2)(1 + dampingAnisotropyPerKelvin T + dampingAnisotropyAgeing age) {c, s} + (mountingDamping/2) {c, s}
+(D/2) {ct, st} = (dampingAnisotropy/2)(1 + dampingAnisotropyPerKelvin T + dampingAnisotropyAgeing age + flicker) {c, s} + (mountingDamping/2) {c, s}
 (dw/2) {cw, sw} = (frequencySplit/2) {c, s} + (electrostaticSplit/2)(V^2 - 1) {c, s} + (splitPerAcceleration f/2) {1, 0}
 frequency of x, y lower by electrostaticCubic V^2 |X|^2, electrostaticCubic V^2 |Y|^2
 mean frequency = frequency (1 + frequencyPerKelvin T) - electrostaticShift (V^2 - 1)
 k = bryanFactor (1 + bryanFactorPerKelvin T)</pre>
 <p>A decay time would be below half at decayTimePerKelvin T &lt; -1/2: there <code>stretched</code> keeps it above zero.</p>
-<p>A fourth harmonic of the gap (<code>Electrodes.Ring</code>) adds electrostaticShift (V^2 - 1) times its share to the anisotropy. Mechanisms 1, 9, 14, 16, 23 to 26, 28, 31 to 33 and 35 of the catalogue: what slowly changes the coefficients of the
+<p>A fourth harmonic of the gap (<code>Electrodes.Ring</code>) adds electrostaticShift (V^2 - 1) times its share to the anisotropy. Mechanisms 1, 9, 14, 16, 23 to 26, 28, 31 to 33, 35 and 38 of the catalogue: what slowly changes the coefficients of the
 motion. At the nominal bias voltage the electrostatic terms are part of the nominal values.</p>
 </html>"));
 end Material;

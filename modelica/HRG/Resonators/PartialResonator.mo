@@ -10,6 +10,7 @@ partial model PartialResonator "Vibrating shell: environment and material; the m
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
   input Units.Temperature caseTemperature "Temperature of the case";
   input Units.DimensionlessRatio biasVoltage "Electrode bias voltage over the nominal one";
+  input Units.DimensionlessRatio dampingFlicker "Relative change of the damping anisotropy by its flicker";
   input Units.Acceleration vibration "Case vibration at the modal frequency, in phase with the reference";
   Environment environment(samplePeriod = thermalPeriod, caseTemperature = caseTemperature) "Temperature and age";
   MassDefects massDefects "Harmonics of the rim's mass";
@@ -19,6 +20,7 @@ partial model PartialResonator "Vibrating shell: environment and material; the m
     supportSin = massDefects.lossSin,
     temperature = environment.temperature,
     age = environment.age,
+    dampingFlicker = dampingFlicker,
     biasVoltage = biasVoltage,
     acceleration = acceleration,
     angularRate = angularRate) "Coefficients of the motion";

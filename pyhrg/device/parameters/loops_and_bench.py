@@ -117,6 +117,18 @@ class LoopAndBenchParameters(ResonatorParameters):
     )
     """Input-referred flicker coefficient (IEEE Std 952: the Allan deviation's floor is 0.664 B)
     [B], rad/s."""
+    damping_anisotropy_flicker: float = parameter(
+        key="damping_anisotropy_flicker", limits=(0, 1), fmu="flicker.dampingAnisotropy"
+    )
+    """Flicker coefficient of the damping anisotropy, relative to it."""
+    pickoff_gain_flicker: float = parameter(
+        key="pickoff_gain_flicker", limits=(0, 0.1), fmu="flicker.gainMismatch"
+    )
+    """Flicker coefficient of the pick-offs' gain mismatch [g]."""
+    phase_flicker: float = parameter(
+        key="phase_flicker_rad", limits=(0, 0.1), fmu="flicker.phaseError"
+    )
+    """Flicker coefficient of the phase that the demodulation adds [p], rad."""
     angle_white_noise: float = parameter(
         key="angle_white_noise_arcsec",
         unit=ARCSEC,

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from fmu_build.check.system.archive import open_system
+from fmu_build.check.system.importers import IMPORTERS, OWN_CONNECTORS, plan_run
 from fmu_build.check.system.rules import RULES
 from tests.fmu_build.check.two_fmus import STRUCTURE, VALUES, write
 
@@ -17,6 +18,16 @@ def find(path: Path) -> list[str]:
 
 def test_a_sound_system_has_no_finding(tmp_path: Path) -> None:
     assert find(write(tmp_path)) == []
+
+
+def test_importers_are_not_asked_for_connectors_of_the_system_itself(tmp_path: Path) -> None:
+    own = r"<ssd:Connectors>\s*<ssd:Connector name=\"rate\".*?</ssd:Connectors>"
+    without = re.sub(own, "", STRUCTURE, count=1, flags=re.DOTALL)
+    for structure, expected in ((STRUCTURE, True), (without, False)):
+        with open_system(write(tmp_path, structure=structure)) as system:
+            asked = plan_run(system).standards
+        assert (OWN_CONNECTORS in asked) is expected
+    assert all(OWN_CONNECTORS not in importer.standards for importer in IMPORTERS)
 
 
 @pytest.mark.parametrize(

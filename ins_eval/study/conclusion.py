@@ -5,7 +5,7 @@ Among the scores is how far the linear model is from samples that are co-simulat
 
 import json
 from collections.abc import Iterator, Mapping
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -43,7 +43,7 @@ from ins_eval.study.predictors.class_constants import compute_constant
 from ins_eval.study.report import page
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.scores.judge import judge_bounds
-from ins_eval.study.scores.resampling import CONFIDENCE, bootstrap
+from ins_eval.study.scores.resampling import bootstrap
 from ins_eval.study.scores.score_flights import score_flights
 from ins_eval.study.specification import CONDITION, MEAN, TEST, TRAIN, Study
 from ins_eval.study.study_data import (
@@ -102,26 +102,32 @@ def _score_groups(study: Study, arrays: Arrays, flights: str, key: str) -> Itera
             ]
             errors = zip(*_select_final_errors(arrays, method, missions, flights), strict=True)
             samples = [np.stack(each, axis=1) for each in errors]
-            group = Score(key, "", method, name, ALL, *[np.nan] * 4, n=len(samples[0]))
-            yield _score_difference(group, samples, study.seed)
+            yield _score_difference(
+                samples,
+                study.seed,
+                score=key,
+                predictor="",
+                calibration=method,
+                mission_class=name,
+                role=ALL,
+                n=len(samples[0]),
+            )
 
 
-def _score_difference(group: Score, samples: list[Array], seed: int) -> Score:
-    """The score of a group of triads, whose fields but the figures are given; samples: (r, m, 2)
-    linear and nonlinear errors."""
-    if group.n < SMALLEST_SAMPLE:
+def _score_difference(samples: list[Array], seed: int, **group: Any) -> Score:
+    """The score of a group of triads; samples: (r, m, 2) linear and nonlinear errors; group: fields
+    of `Score` that name it."""
+    if len(samples[0]) < SMALLEST_SAMPLE:
         single = compute_relative_difference(*(each[:, None] for each in samples))
         value = float(compute_relative_difference(*samples))
         low, high = float(single.min()), float(single.max())
-        return replace(group, value=value, low=low, high=high, confidence=RANGE)
+        return Score(value=value, low=low, high=high, confidence=RANGE, **group)
     estimate = bootstrap(compute_relative_difference, samples, seed)
-    return replace(
-        group,
-        **asdict(estimate),
-        confidence=CONFIDENCE,
+    return estimate.score(
         seed=seed,
         asked=f"<= {MAX_LINEAR_MODEL_ERROR:g}",
         verdict=judge_bounds(estimate, high=MAX_LINEAR_MODEL_ERROR),
+        **group,
     )
 
 

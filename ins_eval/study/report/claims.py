@@ -155,10 +155,10 @@ class JudgedClaim:
 
 def judge_claims(data: StudyData, calibration: str) -> list[JudgedClaim]:
     """The claims on the judged triads of a calibration; none without scores."""
-    order = [ALL, *data.classes]
+    order = {name: place for place, name in enumerate(data.classes, 1)}
     scores = sorted(
         (s for s in data.scores if s.calibration == calibration and not s.shuffled),
-        key=lambda s: order.index(s.mission_class),
+        key=lambda s: order.get(s.mission_class, 0),
     )
     judged = [_judge(claim, scores) for claim in CLAIMS]
     return [each for each in judged if each.by_class]

@@ -51,11 +51,20 @@ def compute_interval_score(
     return np.asarray(score.mean(axis=(-2, -1)))
 
 
-def compute_skill(flown: Array, *ends: Array, inside: float) -> Array:
-    """(...,) 1 less the ratio of two interval scores (Eq. 15a); `ends` are low, median and high of
-    the prediction, then those of the reference."""
-    own, reference = (
-        compute_interval_score(flown, *three, inside=inside) for three in (ends[:3], ends[3:])
+def compute_skill(
+    flown: Array,
+    low: Array,
+    median: Array,
+    high: Array,
+    reference_low: Array,
+    reference_median: Array,
+    reference_high: Array,
+    inside: float,
+) -> Array:
+    """(...,) 1 less the interval score of predictions over that of a reference (Eq. 15a)."""
+    own = compute_interval_score(flown, low, median, high, inside)
+    reference = compute_interval_score(
+        flown, reference_low, reference_median, reference_high, inside
     )
     return 1 - _divide(own, reference)
 

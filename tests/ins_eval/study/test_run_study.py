@@ -54,7 +54,7 @@ def test_verdict_is_of_each_calibration(result: StudyResult) -> None:
     place = lines.index("  self-calibrated (12 triads, linear flights)")
     assert lines[place + 1].startswith("    fails: (b) ")
     assert result.summary.endswith(result.verdict)
-    assert result.summary.startswith("The gyro of the paper's Table 2, its mean taken out")
+    assert result.summary.startswith("The gyro of the paper's Table 2, its mean over the")
 
 
 def test_plot_is_of_one_calibration(result: StudyResult) -> None:

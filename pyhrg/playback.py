@@ -107,8 +107,10 @@ def simulate(
         seed: of noise and of turn-on to turn-on scatter, 0 to 2^31 - 1; None: neither.
         model: of the FMU: HRG, HRGCarrier, or HRGSlow with quasi-steady loops.
         step_s: communication step; the model's own if None.
-        inputs: other inputs of the FMU, the keys of `HELD_INPUTS`. By default the gyro feels
-            gravity, whose level part is along x, and no command; the drive is on.
+        inputs: other inputs of the FMU: `acceleration_x_m_s2`, `acceleration_y_m_s2`,
+            `acceleration_z_m_s2`, `virtual_rotation_deg_per_s`, `amplitude_setpoint`,
+            `phase_offset_rad`, `drive_on`, `vibration_m_s2`, `bias_voltage`. By default the gyro
+            feels gravity, whose level part is along x, and no command; the drive is on.
 
     Returns:
         The FMU's outputs over `time`, the end of each row (s). Angles, rate, amplitude and
@@ -210,7 +212,8 @@ def _read_held(
     """(n,) inputs that are constant in a row, by the FMU's names, SI."""
     for name in inputs:
         if name not in HELD_INPUTS:
-            close = difflib.get_close_matches(name, HELD_INPUTS, n=1) or HELD_INPUTS
+            known = (*MOVING_INPUTS, *HELD_INPUTS)
+            close = difflib.get_close_matches(name, known, n=1) or known
             raise HrgError(f"{name}: found an unknown argument, expected {' or '.join(close)}")
     gravity = gyro.site.gravity
     signals: dict[str, Signal] = {
@@ -231,7 +234,10 @@ def _read_held(
 def _read_input(fmu: GyroFmu, name: str, place: Input, signal: Signal, times: Array) -> Array:
     """SI values of an input at times (n,) of rows or (n, m) of their steps."""
     try:
-        values = np.asarray(signal(times) if callable(signal) else signal, dtype=np.float64)
+        given = np.asarray(signal(times) if callable(signal) else signal)
+        if given.dtype.kind in "US":
+            raise TypeError("it is text")
+        values = given.astype(np.float64)
     except (TypeError, ValueError) as error:
         raise HrgError(f"{name}: found no numbers, expected one, or one a row: {error}") from error
     if values.ndim == 1 and times.ndim == 2 and len(values) == len(times):

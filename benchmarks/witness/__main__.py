@@ -32,7 +32,7 @@ from ins_eval.study.witness.judge import list_figures, score_witnesses
 from ins_eval.study.witness.self_test import HALF_PERIOD, ROTATION
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.witness.mechanisms import NAMES
-from pyhrg.witness.responses import Motion
+from pyhrg.witness.responses import Motion, stack_signals
 
 GYROS, TRAINING, JUDGED, FLOWN, BENCHED = 24, 60, 80, 20, 16
 FIRST_JUDGED = 100
@@ -75,7 +75,7 @@ def print_confounded() -> None:
     ):
         w, v = (np.broadcast_to(each, time.shape) for each in (rate, rotation))
         angle = ROW * gyro.device.bryan_factor * np.cumsum(v - w)
-        motion = Motion(ROW, angle, w, v, 0 * time, 0 * time)
+        motion = Motion(ROW, angle, w, v, 0 * time, stack_signals(0 * time))
         print(f"{title}, {DURATION / 60:g} min", *bounds.list_confounded(gyro, motion), sep="\n")
 
 

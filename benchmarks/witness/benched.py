@@ -1,7 +1,7 @@
 """Estimates of gyros that are known as a bench leaves them, with the bench's error drawn."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -46,9 +46,7 @@ def estimate_benched(
     distribution, gyros, flights = TriadDistribution(population=RAW, method="map"), [], []
     for number in range(count):
         generator = np.random.default_rng(FIRST_SEED + number)
-        device = replace(
-            RAW.draw(generator), bias_per_acceleration=0.0, pickoff_gain_per_acceleration=0.0
-        )
+        device = RAW.draw(generator)
         believed = believe_gyro(slow, device, distribution, generator)
         flight = draw_flight(device, distribution.drift, generator)
         log = fly(fast, flight.device, DURATION, number, self_test=self_test)

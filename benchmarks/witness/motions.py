@@ -5,11 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from ins_eval.error_model.effects import ANGULAR_GAIN
+from ins_eval.imu.gyros import resolve_force_in_case
 from ins_eval.mission_model.missions import STILL, plan_mission
 from ins_eval.mission_model.signals import compute_case_warming_rate, compute_resonator_warmth
 from ins_eval.study.witness.self_test import rotate_virtually
 from pyhrg.common.arrays import Array
-from pyhrg.witness.responses import Motion
+from pyhrg.witness.responses import Motion, stack_signals
 
 ROW = 0.5
 """Length of a row, s."""
@@ -28,10 +29,12 @@ CLASSES = {
 
 @dataclass(frozen=True)
 class Ride:
-    """A mission's motion from power-on. rate: (n, 3) about the body axes in each row, rad/s; row:
-    length of a row, s."""
+    """A mission's motion from power-on. rate: (n, 3) about the body axes in each row, rad/s;
+    forces: (3, n, 3) specific force along the axes of each gyro's case, m/s^2; row: length of a
+    row, s."""
 
     rate: Array
+    forces: Array
     row: float
 
     def follow(self, axis: int, start: float, rise: float, test: float = 0.0) -> Motion:
@@ -46,10 +49,13 @@ class Ride:
         angle = start + self.row * ANGULAR_GAIN * np.cumsum(rotation - rate)
         temperature = rise * compute_resonator_warmth(since - STILL)
         heating = rise * compute_case_warming_rate(since - STILL)
-        return Motion(self.row, angle, rate, rotation, temperature, heating)
+        signals = stack_signals(heating, self.forces[axis])
+        return Motion(self.row, angle, rate, rotation, temperature, signals)
 
 
 def load_ride(mission: str, hours: float, row: float = ROW) -> Ride:
     planned = plan_mission(mission, hours)
     rows = round((STILL + planned.hours * 3600) / row)
-    return Ride(planned.trajectory().increments(-STILL, row, rows).rotation / row, row)
+    increments = planned.trajectory().increments(-STILL, row, rows)
+    forces = np.stack([resolve_force_in_case(increments, axis) for axis in np.eye(3)])
+    return Ride(increments.rotation / row, forces, row)

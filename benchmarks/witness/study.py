@@ -14,11 +14,11 @@ from ins_eval.mission_model.position_errors import (
     compute_expected_error,
     compute_linear_position_errors,
 )
-from ins_eval.mission_model.signals import slice_coefficients
+from ins_eval.mission_model.signals import SIGNALS, slice_coefficients
 from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.study.gyros.drawn_triad import DrawnTriad, TriadDistribution
 from ins_eval.study.gyros.drift import Flight
-from ins_eval.study.gyros.witness_prior import make_study_drift, make_study_prior
+from ins_eval.study.gyros.witness_prior import forget_unmeasured, make_study_drift, make_study_prior
 from ins_eval.study.predictors import fitted_map, true_parameters
 from ins_eval.study.predictors.bench_figures import collect_bench_figures
 from ins_eval.study.predictors.prediction import NormalPrediction, Prediction
@@ -28,7 +28,7 @@ from ins_eval.study.scores.measures import compute_r2
 from ins_eval.study.scores.resampling import Estimate, bootstrap
 from ins_eval.study.witness.judge import compute_size_ratio
 from ins_eval.study.witness.self_test import SELF_TEST
-from ins_eval.study.witness.told_map import respond
+from ins_eval.study.witness.told_map import TOLD, respond
 from ins_eval.study.witness.witnessed import read_true_changes
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, MICRO_G
@@ -47,8 +47,8 @@ ACCELEROMETER, MOUNTING = 10 * MICRO_G, 10 * ARCSEC
 TESTS = {"channels in flight": 0.0, "with a self-test": SELF_TEST}
 """Durations of the self-test at power-on, s."""
 SEED = 1
-UNKNOWN = slice(4, 7)
-"""Signals of the maps, specific force and fast turning, to which the response is not known."""
+UNKNOWN = slice(TOLD, len(SIGNALS))
+"""Signals of the maps to which the response is not known: fast turning."""
 
 
 @dataclass(frozen=True)
@@ -120,7 +120,7 @@ def learn_gyro(
     return Known(
         responses=responses,
         prior=prior.covariance,
-        changes=read_true_changes(device, flight) - drifted.mean,
+        changes=read_true_changes(forget_unmeasured(device), flight) - drifted.mean,
         benched=prior.covariance - drifted.covariance,
     )
 
@@ -175,7 +175,7 @@ def _predict_oracle(
     test: float,
 ) -> NormalPrediction:
     """The true map less the error of an estimate that attains the bound, and its covariance. What
-    the maps do under specific force, heating and fast turning is not known."""
+    the maps do under fast turning is not known."""
     generator = np.random.default_rng(SEED)
     errors = np.empty((len(triads), 3, MECHANISMS))
     posteriors = np.empty((len(triads), 3, MECHANISMS, MECHANISMS))

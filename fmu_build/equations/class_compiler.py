@@ -2,15 +2,19 @@
 compiler, or gives it work without end, ends that process alone.
 
 Called as `python -m fmu_build.equations.class_compiler LIBRARY MODEL FILE RESULT`, it writes the
-compiler's document, JSON.
+compiler's document, JSON. What else stands in the file's folder, and the compiler would read, is
+left out: the file is compiled in RESULT's folder.
 """
 
+import json
+import shutil
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 from typing import Any
 
+from fmu_build.equations.class_file import check_class_file
 from pyhrg.common.errors import HrgError, fold_line
 from pyhrg.common.extras import import_extra
 from pyhrg.common.reading.documents import read_json
@@ -24,11 +28,12 @@ REFUSED = 2
 
 
 def compile_class(library: Path, model: str, file: Path) -> dict[str, Any]:
-    """The compiler's document of a class in a file that uses the library.
+    """The compiler's document of a class in a file that uses the library, read by itself.
 
     Raises:
         HrgError: the compiler refuses the class, fails, or takes more than the limits.
     """
+    check_class_file(file)
     with tempfile.TemporaryDirectory(prefix="hrg-class-") as folder:
         result = Path(folder) / "document.json"
         command = [sys.executable, "-m", __spec__.name, str(library), model, str(file), str(result)]
@@ -55,13 +60,14 @@ def _limit_resources() -> None:
 
 def _main() -> None:
     library, model, file, result = sys.argv[1:]
+    alone = shutil.copy(file, Path(result).parent)
     rumoca = import_extra("rumoca")
     _limit_resources()
     try:
-        compiled = rumoca.Session([library]).load(file, model=model)
-        Path(result).write_text(compiled.to_json("dae"))
+        text = rumoca.Session([library]).load(str(alone), model=model).to_json("dae")
+        Path(result).write_text(text.replace(json.dumps(str(alone)), json.dumps(file)))
     except rumoca.RumocaError as error:
-        print(fold_line(str(error)), file=sys.stderr)
+        print(fold_line(str(error).replace(str(alone), file)), file=sys.stderr)
         sys.exit(REFUSED)
 
 

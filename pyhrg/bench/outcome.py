@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
+import pandas as pd
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 from scipy import stats
@@ -94,6 +95,7 @@ class Outcome:
     exclusions: rows and logs that were not used, and why, a sentence each.
     draw: draws the test's figure into an empty one; None where the test has no figure.
     values: further results for programs, SI, by name.
+    points: data points of the figure, units in `attrs["units"]`; empty where the test has none.
     """
 
     findings: tuple[Finding, ...]
@@ -103,6 +105,7 @@ class Outcome:
     exclusions: tuple[str, ...] = ()
     draw: Callable[[Figure], None] | None = None
     values: dict[str, object] = field(default_factory=dict)
+    points: pd.DataFrame = field(default_factory=pd.DataFrame)
 
     def __post_init__(self) -> None:
         keys = [finding.key for finding in self.findings]

@@ -1,11 +1,13 @@
 """`hrg bench`: the tests of the bench, on the FMU or on recorded logs."""
 
 import argparse
+import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pyhrg
+from pyhrg.common.errors import HrgError
 from pyhrg.common.files import check_output_folder
 
 if TYPE_CHECKING:
@@ -62,12 +64,19 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def _list_tests(procedures: Sequence["Procedure"]) -> str:
-    """Names and titles of the tests by group, for the help."""
+    """Names and titles of the tests by group, for the help; models other than `HRG`."""
     width = max(len(name) for name in (*(p.name for p in procedures), ALL))
-    lines = ["tests:", f"  {ALL:<{width}}  every one of them"]
+    lines = [
+        "tests (the model HRG is simulated where no other is named):",
+        f"  {ALL:<{width}}  every one of them",
+    ]
     for group in dict.fromkeys(p.group for p in procedures):
         lines += ["", f"{group}:"]
-        lines += [f"  {p.name:<{width}}  {p.title}" for p in procedures if p.group == group]
+        lines += [
+            f"  {p.name:<{width}}  {p.title}" + (f" ({p.model})" if p.model != "HRG" else "")
+            for p in procedures
+            if p.group == group
+        ]
     return "\n".join(lines)
 
 
@@ -76,10 +85,11 @@ def run(options: argparse.Namespace) -> None:
 
     check_output_folder(options.out)
     plan = {o.name: getattr(options, o.name) for p in PROCEDURES for o in p.options}
+    campaign = None if options.campaign is None else pyhrg.read_campaign(options.campaign)
     results = pyhrg.run_tests(
         None if options.test == ALL else [options.test],
         options.device,
-        campaign=options.campaign,
+        campaign=campaign,
         seed=options.seed,
         workers=options.workers,
         out=options.out,
@@ -90,3 +100,15 @@ def run(options: argparse.Namespace) -> None:
     print(results)
     folders = [result.name for result in results.results]
     print(f"\nwritten to {options.out}: {', '.join(['report.html', *folders])}")
+    if campaign is not None:
+        _warn_of_refusal(campaign)
+
+
+def _warn_of_refusal(campaign: "pyhrg.Campaign") -> None:
+    """Say on standard error why a diagnosis would refuse the records whose figures were printed."""
+    from pyhrg.gap.soundness import screen_campaign
+
+    try:
+        screen_campaign(campaign)
+    except HrgError as error:
+        print(f"hrg: warning: a diagnosis would refuse these records: {error}", file=sys.stderr)

@@ -23,6 +23,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     where.add_argument(
         "--out", type=Path, metavar="DIR", help="campaign to write; not there yet, or empty"
     )
+    action.add_argument(
+        "--force", action="store_true", help="replace the campaign that is in the output folder"
+    )
     where.add_argument(
         "--check", action="store_true", help="say what was understood, and write nothing"
     )
@@ -54,7 +57,7 @@ def _import(options: argparse.Namespace) -> None:
 
     if options.out is not None:
         check_output_folder(options.out)
-    imported = import_campaign(options.mapping, options.out)
+    imported = import_campaign(options.mapping, options.out, force=options.force)
     campaign = imported.campaign_as_read
     print(f"{imported.preview}\n\n{describe_screening(campaign)}\n\n{describe_readiness(campaign)}")
     if options.out is not None:

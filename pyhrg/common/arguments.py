@@ -1,7 +1,8 @@
 """Checks of numeric arguments; a message names the argument, what was found and expected."""
 
 import os
-from numbers import Integral
+from numbers import Integral, Real
+from typing import Any
 
 from pyhrg.common.errors import HrgError, quote
 
@@ -11,15 +12,15 @@ MOST_WORKERS = 1024
 
 def check_number(name: str, value: float, low: float, high: float) -> float:
     """The number, if it is finite and between the bounds, ends included."""
-    if not low <= value <= high:
-        found = quote(value) if isinstance(value, Integral) else f"{value:g}"
+    if not _is_a(Real, value) or not low <= value <= high:
+        found = f"{value:g}" if isinstance(value, float) else quote(value)
         raise HrgError(f"{name}: found {found}, expected a number from {low:g} to {high:g}")
     return float(value)
 
 
 def check_whole_number(name: str, value: int, low: int, high: int) -> int:
     """The whole number, if it is between the bounds, ends included."""
-    if not low <= value <= high or value != int(value):
+    if not _is_a(Real, value) or not low <= value <= high or value != int(value):
         raise HrgError(
             f"{name}: found {quote(value)}, expected a whole number from {low} to {high}"
         )
@@ -27,7 +28,7 @@ def check_whole_number(name: str, value: int, low: int, high: int) -> int:
 
 
 def check_seed(value: int) -> int:
-    if not isinstance(value, Integral) or not 0 <= value < 2**63:
+    if not _is_a(Integral, value) or not 0 <= value < 2**63:
         raise HrgError(f"seed: found {quote(value)}, expected a whole number from 0 to 2^63 - 1")
     return int(value)
 
@@ -36,10 +37,15 @@ def choose_workers(workers: int | None) -> int:
     """Number of workers: the given one, or as many as this process has cores."""
     if workers is None:
         return count_cores()
-    if not isinstance(workers, Integral) or not 1 <= workers <= MOST_WORKERS:
+    if not _is_a(Integral, workers) or not 1 <= workers <= MOST_WORKERS:
         expected = f"expected a whole number from 1 to {MOST_WORKERS}"
         raise HrgError(f"workers: found {quote(workers)}, {expected}")
     return int(workers)
+
+
+def _is_a(kind: type, value: Any) -> bool:
+    """Whether a value is a number of this kind; true and false are none."""
+    return isinstance(value, kind) and not isinstance(value, bool)
 
 
 def count_cores() -> int:

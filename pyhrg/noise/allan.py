@@ -92,8 +92,8 @@ def allan_deviation(
 
     Returns:
         Columns `cluster_time_s`, `deviation`, `low_95`, `high_95` and `degrees_of_freedom`.
-        `attrs["units"]` says each one's unit; "rate" is the unit of the rates, or that of the
-        angles over s.
+        `attrs["units"]` says each one's unit; that of the deviations is the unit of the rates, or
+        that of the angles over s: as `values.attrs["units"]` has it, or else in words.
 
     Raises:
         HrgError: an argument is out of range, or the values are no record of at least 256 finite
@@ -113,7 +113,9 @@ def allan_deviation(
     names = ("cluster_time_s", "deviation", "low_95", "high_95", "degrees_of_freedom")
     columns = (estimate.tau, estimate.deviation, estimate.low, estimate.high, estimate.freedom)
     frame = pd.DataFrame(dict(zip(names, columns, strict=True)))
-    frame.attrs["units"] = dict(zip(names, ("s", "rate", "rate", "rate", "1"), strict=True))
+    unit = getattr(values, "attrs", {}).get("units", f"unit of the {kind}s")
+    rate = f"{unit}/s" if kind == "angle" else unit
+    frame.attrs["units"] = dict(zip(names, ("s", rate, rate, rate, "1"), strict=True))
     return frame
 
 

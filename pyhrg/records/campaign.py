@@ -91,9 +91,11 @@ def read_campaign(folder: Path | str, *, any_sign: bool = False) -> Campaign:
         any_sign: whether the table's angle may count against the gyro's, as in `read_log`.
 
     Raises:
-        HrgError: there is no index, it has another schema, or a key is missing or has a wrong
-            value.
+        HrgError: there is no such folder or no index, it has another schema, or a key is missing
+            or has a wrong value.
     """
+    if not Path(folder).is_dir():
+        raise CampaignError(f"{folder}: found no such folder, expected that of a campaign")
     index = read_json_table(Path(folder) / INDEX)
     index.text("schema", None, (SCHEMA,))
     for key, expected in (("site", "a table"), ("nominal", "a table"), ("tests", "a list")):

@@ -7,16 +7,24 @@ from numpy.typing import NDArray
 
 from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
-from pyhrg.common.units import DEG
+from pyhrg.common.units import DEG, HOUR
 from pyhrg.records.columns import BY_FIELD, LogError
 from pyhrg.records.table import Table
 from pyhrg.records.timing import find_even_steps
 
+MIXUPS = {
+    1 / DEG: "are radians given where degrees are meant?",
+    HOUR: "is a rate per hour given where one per second is meant?",
+}
+"""What a message asks where a ratio is off by a factor, or by its inverse."""
 MIXUP_FACTOR = 1.2
 """Largest factor between a ratio and that of a known mix-up. Chosen."""
 BRYAN_FACTOR_RANGE = (0.1, 0.6)
 """Smallest and largest ratio of pattern to gyro angle. Chosen: any shell or ring; the largest is
 twice that of a hemisphere."""
+MIN_WAVE_CORRELATION = 0.9
+"""Smallest correlation of pattern and gyro angle whose ratio is judged. Chosen: a pattern that
+loops hold in place follows none."""
 MIN_TURN = 1e-3 * DEG
 """Smallest turn of two columns that are compared, rad. Chosen."""
 MIN_REST = 100.0
@@ -102,12 +110,14 @@ def _check_wave(table: Table, steps: dict[str, Array]) -> None:
     )
     if len(felt) < 2 or min(np.ptp(felt), np.ptp(wave)) < MIN_TURN:
         return
-    felt = felt - np.mean(felt)
+    felt, wave = felt - np.mean(felt), wave - np.mean(wave)
     slope = abs(float(np.sum(felt * wave) / np.sum(felt**2)))
+    correlation = slope * float(np.std(felt) / np.std(wave))
     low, high = BRYAN_FACTOR_RANGE
-    names = "wave_angle", "gyro_angle and virtual_rotation turn"
-    if low * DEG < slope < high * DEG or low / DEG < slope < high / DEG:
-        raise _make_contradiction(table, slope, *names, f"a Bryan factor, {low:g} to {high:g}")
+    if correlation > MIN_WAVE_CORRELATION and not high * DEG <= slope <= low / DEG:
+        names = "wave_angle", "gyro_angle and virtual_rotation turn"
+        expected = f"a Bryan factor, {low:g} to {high:g}"
+        raise _make_contradiction(table, slope, *names, expected, math.sqrt(low * high))
 
 
 def _check_gravity(table: Table) -> None:
@@ -130,16 +140,18 @@ def _select_finite(x: Array, y: Array) -> tuple[Array, Array]:
 
 
 def _refuse_mixed_units(table: Table, ratio: float, other: str) -> None:
-    for factor in (DEG, 1 / DEG):
+    for factor in (*MIXUPS, *(1 / factor for factor in MIXUPS)):
         if factor / MIXUP_FACTOR < ratio < factor * MIXUP_FACTOR:
-            raise _make_contradiction(table, ratio, "gyro_angle", other, "about 1")
+            raise _make_contradiction(table, ratio, "gyro_angle", other, "about 1", 1.0)
 
 
 def _make_contradiction(
-    table: Table, ratio: float, field: str, other: str, expected: str
+    table: Table, ratio: float, field: str, other: str, expected: str, usual: float
 ) -> LogError:
-    name = BY_FIELD[field].name
+    """The error that asks for the mix-up nearest to the ratio's departure from the usual one."""
+    name, departure = BY_FIELD[field].name, abs(math.log(ratio / usual))
+    nearest = min(MIXUPS, key=lambda factor: abs(departure - math.log(factor)))
     return LogError(
         f"{table.source}: column {name}: turns {ratio:.3g} times as far as {other}; "
-        f"expected {expected}: are radians given where degrees are meant?"
+        f"expected {expected}: {MIXUPS[nearest]}"
     )

@@ -11,7 +11,7 @@ from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD, GyroFmu, record_together
 from pyhrg.witness.filter import filter_rows
 from pyhrg.witness.information import compute_normalized_square, factor_covariance
-from pyhrg.witness.mechanisms import COUNT, TEMPERATURE_RATE, change_device
+from pyhrg.witness.mechanisms import COUNT, FOLLOWED, STEADY, TEMPERATURE_RATE, change_device
 from pyhrg.witness.prior import Prior
 from pyhrg.witness.replay import SETTLING, Replay, Witnesses, guess_course, replay
 from pyhrg.witness.responses import (
@@ -25,13 +25,17 @@ from pyhrg.witness.responses import (
 
 STAGES = 6
 """Largest number of times that the gyro is replayed and its sensitivities are taken, with the
-changes of the time before. Chosen: slow motions converge by half in each."""
+changes of the time before. Chosen: three are usual."""
 CONVERGENCE_CHI2 = 1.0
 """The fit has converged when a stage moves no gyro's changes by more than this, as a normalised
 square. Chosen."""
-REPLAYS = 2
-"""Number of replays in each stage, the last of which is compared. Derived: each leaves of the
-course's error the gyro's errors as a share of what the one before left, 1e-3."""
+FOLLOWED_ANGLE = 1e-9
+"""Rms error of the simulated angles at which a course is followed, rad. Derived: a frequency split
+of 1 mHz makes of it a quadrature force of 1e-11 1/s, a tenth of what an angle random walk of 1e-4
+deg/sqrt(h) leaves of the force in two hours."""
+REPLAYS = 8
+"""Largest number of replays in each stage. Derived: each leaves of the angle's error the bias map's
+slope times the flight's duration, 0.04 for 1.5 deg/h in two hours."""
 BLOCK = 5.0
 """Time over which rows are averaged before they are compared, s. Chosen: pick-off noise, which the
 loops differentiate, is then below force noise."""
@@ -62,7 +66,7 @@ class FittedChanges:
     changes: (COUNT,) since the calibration, SI; covariance: of these; responses: sensitivities of
     the changed gyro; temperature, angle: of the resonator above the reference, K, and of the
     pattern, rad, at the end; burst_share: share of the rows that were limited; p_value: as of
-    `Filtered`.
+    `Filtered`; moved: normalised square of what the last stage changed.
     """
 
     changes: Array
@@ -72,11 +76,12 @@ class FittedChanges:
     angle: float
     burst_share: float
     p_value: float
+    moved: float
 
     @property
     def is_explained(self) -> bool:
         """Whether the mechanisms explain the forces. Changes of others are not to be followed."""
-        return self.p_value > SIGNIFICANCE
+        return self.p_value > SIGNIFICANCE and self.moved < CONVERGENCE_CHI2
 
 
 def fit_changes(fast: GyroFmu, slow: GyroFmu, gyros: Sequence[Flown]) -> list[FittedChanges]:
@@ -98,6 +103,8 @@ def fit_changes(fast: GyroFmu, slow: GyroFmu, gyros: Sequence[Flown]) -> list[Fi
         for _ in range(REPLAYS):
             replays = replay(fast, changed, witnesses, courses)
             courses = [each.following for each in replays]
+            if max(each.angle_error for each in replays) < FOLLOWED_ANGLE:
+                break
         if stage:
             responses = [
                 measure_responses(slow, each, g.responses.noise)
@@ -107,12 +114,8 @@ def fit_changes(fast: GyroFmu, slow: GyroFmu, gyros: Sequence[Flown]) -> list[Fi
             _fit_stage(slow, *each, rounds=2 if stage else 1)
             for each in zip(gyros, replays, changes, responses, scatters, strict=True)
         ]
-        moved = [
-            compute_normalized_square(each.changes - before, each.covariance)[0]
-            for each, before in zip(fitted, changes, strict=True)
-        ]
         changes = [each.changes for each in fitted]
-        if stage and max(moved) < CONVERGENCE_CHI2:
+        if stage and max(each.moved for each in fitted) < CONVERGENCE_CHI2:
             break
     return fitted
 
@@ -134,10 +137,9 @@ def _fit_stage(
     basis, design = _average_design(responses, replayed.motion)
     changes, moved = start, np.zeros_like(residuals)
     for left in reversed(range(rounds)):
-        # the replay leaves out the bias by the rate of temperature
-        values = (
-            residuals - moved + design @ (np.where(TEMPERATURE_RATE, 0.0, changes) - prior.mean)
-        )
+        # the replay leaves out the bias by the rate of temperature, `moved` what follows a signal
+        about = np.where(TEMPERATURE_RATE, 0.0, np.where(STEADY, changes, start))
+        values = residuals - moved + design @ (about - prior.mean)
         filtered = filter_rows(
             design @ root, values, noise, np.eye(COUNT), np.maximum(scatter, noise)
         )
@@ -146,14 +148,16 @@ def _fit_stage(
             devices = [change_device(gyro.device, each) for each in (start, changes)]
             before, after = measure_channels(slow, devices)[:, :2]
             moved = basis @ (after - before).reshape(2, -1).T
+    covariance = root @ filtered.covariance @ root.T
     return FittedChanges(
         changes=changes,
-        covariance=root @ filtered.covariance @ root.T,
+        covariance=covariance,
         responses=responses,
         temperature=float(replayed.motion.temperature[-1]),
         angle=float(witnesses.angle[-1]),
         burst_share=float(np.mean(filtered.weights < 1)),
         p_value=filtered.p_value,
+        moved=compute_normalized_square(changes - start, covariance)[0],
     )
 
 
@@ -161,12 +165,13 @@ def _average_design(responses: Responses, motion: Motion) -> tuple[Array, Array]
     """(b, POWERS MOTIONS TERMS) terms of the quasi-static forces, and (b, 2, COUNT) sensitivities,
     averaged over `BLOCK`."""
     terms = evaluate_motion(motion).reshape(len(motion.angle), -1)
-    steady = _average(terms, motion.interval)
-    heated = _average(terms * motion.temperature_rate[:, None], motion.interval)
     flat = responses.forces.reshape(COUNT, 2, -1)
-    design = np.einsum("bt,cft->bfc", steady, flat)
-    design[:, :, TEMPERATURE_RATE] = np.einsum("bt,cft->bfc", heated, flat[TEMPERATURE_RATE])
-    return steady, design
+    averaged = [_average(terms * each[:, None], motion.interval) for each in motion.signals.T]
+    design = np.empty((len(averaged[0]), 2, COUNT))
+    for place, rows in enumerate(averaged):
+        acting = place == FOLLOWED
+        design[:, :, acting] = np.einsum("bt,cft->bfc", rows, flat[acting])
+    return averaged[0], design
 
 
 def _measure_scatter(fast: GyroFmu, devices: Sequence[Device]) -> Array:

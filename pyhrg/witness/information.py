@@ -6,7 +6,7 @@ Equations are those of docs/methods/witness.md. States are changes of `mechanism
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.witness.mechanisms import COUNT, TEMPERATURE_RATE
+from pyhrg.witness.mechanisms import COUNT, STEADY
 from pyhrg.witness.responses import POWERS, Motion, Responses, compute_design
 
 PIECE = 20_000
@@ -67,10 +67,10 @@ def compute_normalized_square(error: Array, covariance: Array) -> tuple[float, i
 
 def compute_maps_response(responses: Responses, temperature: float) -> Array:
     """(2 TERMS, COUNT) change of the bias map and of the scale-factor map per unit of each
-    mechanism, at a constant temperature above the reference, K."""
+    mechanism, at a constant temperature above the reference, K, without specific force."""
     powers = temperature ** np.arange(POWERS)
     maps = np.einsum("p,cpmt->cmt", powers, responses.output[:, :, :2]).reshape(COUNT, -1)
-    return np.asarray(np.where(TEMPERATURE_RATE, 0.0, maps.T))
+    return np.asarray(np.where(STEADY, maps.T, 0.0))
 
 
 def _accumulate(sensitivities: Array, deviation: Array, motion: Motion) -> Array:

@@ -9,16 +9,17 @@ import cmath
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Literal, get_args
 
 import numpy as np
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 
-Signal = Literal["one", "temperature rate"]
-"""Signal that a mechanism acts in proportion to: constant, or rate of the case's temperature,
-K/s."""
+Signal = Literal["one", "temperature rate", "force across", "force along"]
+"""Signal that a mechanism acts in proportion to: constant; rate of the case's temperature, K/s;
+specific force along the x electrodes or along the input axis, m/s^2."""
+SIGNALS: tuple[Signal, ...] = get_args(Signal)
 
 
 @dataclass(frozen=True)
@@ -99,11 +100,19 @@ MECHANISMS = (
     _name_field(
         "bias per rate of temperature", 1e-6, "bias_per_temperature_rate", "temperature rate"
     ),
+    _name_field(
+        "pick-off gain per specific force", 1e-5, "pickoff_gain_per_acceleration", "force across"
+    ),
+    _name_field("bias per specific force", 1e-8, "bias_per_acceleration", "force along"),
 )
 """The states of the estimate, in this order."""
 NAMES = tuple(each.name for each in MECHANISMS)
 COUNT = len(MECHANISMS)
-TEMPERATURE_RATE = np.array([each.signal == "temperature rate" for each in MECHANISMS])
+FOLLOWED = np.array([SIGNALS.index(each.signal) for each in MECHANISMS])
+"""Place among `SIGNALS` of what each mechanism acts in proportion to."""
+STEADY = SIGNALS.index("one") == FOLLOWED
+"""Which mechanisms act always."""
+TEMPERATURE_RATE = SIGNALS.index("temperature rate") == FOLLOWED
 """Which mechanisms act by the rate of the case's temperature."""
 THERMAL = np.array(["per kelvin" in name for name in NAMES])
 """Which mechanisms act by the temperature of the resonator above the reference."""

@@ -45,6 +45,7 @@ def make_drift_prior(
     ageing_share: float,
     decay_time_loss: float,
     temperature_rate_bias: float = 0.0,
+    specific_force_bias: float = 0.0,
     cubic: float = CUBIC_DRIFT,
 ) -> Prior:
     """Changes of a device by ageing and by another turn-on.
@@ -53,9 +54,11 @@ def make_drift_prior(
     damping anisotropy, pick-offs and drives, as a share of each, growing with the root of time;
     decay_time_loss: largest share of the decay time that is lost in a year, uniform from 0;
         temperature_rate_bias: standard deviation of the bias per rate of temperature, rad/K, whose
-        mean is the device's own, because a replay leaves it out; cubic: standard deviation of the
-        change of the pick-offs' cubic term. What the device states of its turn-on to turn-on
-        scatter is added (`Device.turn_on_scatter`).
+        mean is the device's own, because a replay leaves it out; specific_force_bias: standard
+        deviation of the change of the bias per specific force along the input axis, and of that
+        which pick-offs make per specific force across it, rad/s per m/s^2; cubic: of the change of
+        the pick-offs' cubic term. What the device states of its turn-on to turn-on scatter is added
+        (`Device.turn_on_scatter`).
     """
     share, lost = ageing_share * math.sqrt(age / YEAR), decay_time_loss * age / YEAR
     pickoff = math.hypot(device.pickoff_gain_mismatch, device.pickoff_nonorthogonality)
@@ -71,6 +74,9 @@ def make_drift_prior(
     rate = find("bias per rate of temperature")
     mean[rate], deviation[rate] = device.bias_per_temperature_rate, temperature_rate_bias
     deviation[find("pick-off cubic")] = cubic
+    gain_per_bias = 4 * device.bryan_factor * device.decay_time
+    deviation[find("pick-off gain per specific force")] = gain_per_bias * specific_force_bias
+    deviation[find("bias per specific force")] = specific_force_bias
     aged = _carry_warm_damping(device, np.diag(deviation**2))
     return Prior(mean, aged + compute_turn_on_covariance(device))
 

@@ -17,7 +17,7 @@ from pyhrg.common.errors import HrgError
 from pyhrg.device.device import Device
 from pyhrg.fmu import Gyro, GyroFmu, record_together
 from pyhrg.records.log import Log
-from pyhrg.witness.responses import FORCES, SOAKED_LAG, Motion
+from pyhrg.witness.responses import FORCES, SOAKED_LAG, Motion, stack_signals
 
 REQUIRED = ("wave_angle", "amplitude_force", "quadrature_force", "frequency_offset")
 """Columns without which nothing is estimated."""
@@ -63,11 +63,13 @@ class Witnesses:
 class Replay:
     """What the FMU makes of it.
 
-    residuals: (n, 2) recorded less simulated forces, 1/s; motion: of the simulated gyro; following:
-    how the next replay is to go, so that angles and frequency agree.
+    residuals: (n, 2) recorded less simulated forces, 1/s; angle_error: rms of recorded less
+    simulated angles, rad; motion: of the simulated gyro; following: how the next replay is to go,
+    so that angles and frequency agree.
     """
 
     residuals: Array
+    angle_error: float
     motion: Motion
     following: "Course"
 
@@ -185,13 +187,17 @@ def _compare(
     simulated = np.concatenate([[course.start], angle])
     return Replay(
         residuals=witnesses.forces - means[:, :2],
+        angle_error=float(np.sqrt(np.mean((witnesses.angle[1:] - angle) ** 2))),
         motion=Motion(
             witnesses.interval,
             0.5 * (simulated[1:] + simulated[:-1]),
             course.rate,
             witnesses.virtual_rotation,
             course.temperature,
-            _compute_temperature_rate(course, device, witnesses.interval),
+            stack_signals(
+                _compute_temperature_rate(course, device, witnesses.interval),
+                witnesses.specific_force,
+            ),
         ),
         following=_correct(course, device, witnesses, angle, means[:, 2]),
     )

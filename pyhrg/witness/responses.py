@@ -15,11 +15,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.common.units import DEG
+from pyhrg.common.units import DEG, STANDARD_GRAVITY
 from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import GyroFmu, record_together
-from pyhrg.witness.mechanisms import COUNT, MECHANISMS, TEMPERATURE_RATE, THERMAL
+from pyhrg.witness.mechanisms import COUNT, FOLLOWED, MECHANISMS, THERMAL
 
 HARMONICS = (2, 4, 6, 8)
 TERMS = 1 + 2 * len(HARMONICS)
@@ -49,6 +49,8 @@ SETTLING = 16.0
 thermal lags."""
 HEATING_RATE = 0.01
 """Rate of the case's temperature at which mechanisms that act by it are simulated, K/s. Chosen."""
+SPECIFIC_FORCE = ("accelerationX", "accelerationZ")
+"""Inputs of the FMU by which mechanisms act."""
 ISOLATED_LAG = 1e6
 """Thermal lag of a gyro whose resonator stays cool while its case heats, s."""
 NOISE_PERIOD, NOISE_DURATION = 0.1, 20_000
@@ -72,11 +74,12 @@ class Responses:
 
 @dataclass(frozen=True)
 class Chamber:
-    """Temperature of a simulation: of case and resonator above the reference, K, or a rate of the
-    case's alone, K/s."""
+    """Environment of a simulation: temperature of case and resonator above the reference, K, or a
+    rate of the case's alone, K/s; specific force along x electrodes and input axis, m/s^2."""
 
     rise: float = 0.0
     rate: float = 0.0
+    force: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -85,7 +88,7 @@ class Motion:
 
     interval: of a row, s; angle: (n,) pattern angle in the middle of each row, rad; rate: (n,) of
     the case, rad/s; virtual_rotation: (n,) as an input rate, rad/s; temperature: (n,) of the
-    resonator above the reference, K; temperature_rate: (n,) rate of the case's temperature, K/s.
+    resonator above the reference, K; signals: (n, SIGNALS) that mechanisms act in proportion to.
     """
 
     interval: float
@@ -93,7 +96,7 @@ class Motion:
     rate: Array
     virtual_rotation: Array
     temperature: Array
-    temperature_rate: Array
+    signals: Array
 
     def take(self, rows: slice) -> "Motion":
         return Motion(
@@ -102,8 +105,15 @@ class Motion:
             self.rate[rows],
             self.virtual_rotation[rows],
             self.temperature[rows],
-            self.temperature_rate[rows],
+            self.signals[rows],
         )
+
+
+def stack_signals(temperature_rate: Array, force: Array | float = 0.0) -> Array:
+    """(n, SIGNALS) from rates (n,) of the case's temperature, K/s, and specific forces (n, 3) along
+    x electrodes, y electrodes and input axis, m/s^2."""
+    x, _, z = np.broadcast_to(force, (len(temperature_rate), 3)).T
+    return np.stack([np.ones_like(temperature_rate), temperature_rate, x, z], axis=-1)
 
 
 def evaluate_angles(angle: Array) -> Array:
@@ -135,8 +145,7 @@ def compute_design(sensitivities: Array, motion: Motion) -> Array:
     flat = sensitivities.reshape(count * channels, -1)
     rows = evaluate_motion(motion).reshape(len(motion.angle), -1) @ flat.T
     design = np.moveaxis(rows.reshape(-1, count, channels), 1, 2)
-    design[:, :, TEMPERATURE_RATE] *= motion.temperature_rate[:, None, None]
-    return design
+    return np.asarray(design * motion.signals[:, None, FOLLOWED])
 
 
 def measure_responses(fmu: GyroFmu, device: Device, noise: Array | None = None) -> Responses:
@@ -147,21 +156,29 @@ def measure_responses(fmu: GyroFmu, device: Device, noise: Array | None = None) 
     """
     quiet = device.without_noise()
     cool, warm, heated = Chamber(), Chamber(rise=RISES[-1]), Chamber(rate=HEATING_RATE)
-    cases = [(quiet, cool), (quiet, warm), (quiet, heated)]
+    forced = Chamber(force=STANDARD_GRAVITY)
+    by_signal = {
+        "temperature rate": (heated, HEATING_RATE),
+        "force across": (forced, STANDARD_GRAVITY),
+        "force along": (forced, STANDARD_GRAVITY),
+    }
+    cases = [(quiet, each) for each in (cool, warm, heated, forced)]
     chambers: list[list[Chamber]] = []
     for place, mechanism in enumerate(MECHANISMS):
-        acting = [heated] if TEMPERATURE_RATE[place] else [warm] if THERMAL[place] else [cool, warm]
+        steady = [warm] if THERMAL[place] else [cool, warm]
+        acting = [by_signal[mechanism.signal][0]] if mechanism.signal in by_signal else steady
         chambers.append(acting)
         changed = mechanism.add(quiet, mechanism.step)
         cases += [(changed, each) for each in acting]
-    unchanged, changed_channels = np.split(_fit_channels(fmu, cases), [3])
-    base = dict(zip((cool, warm, heated), unchanged, strict=True))
+    unchanged, changed_channels = np.split(_fit_channels(fmu, cases), [4])
+    base = dict(zip((cool, warm, heated, forced), unchanged, strict=True))
     changes, fitted = np.zeros((COUNT, 3, POWERS, MOTIONS, TERMS)), iter(changed_channels)
     for place, (mechanism, acting) in enumerate(zip(MECHANISMS, chambers, strict=True)):
         by_chamber = {each: (next(fitted) - base[each]) / mechanism.step for each in acting}
         at_rest = np.zeros((3, MOTIONS, TERMS))
-        if heated in by_chamber:
-            changes[place, :, 0] = by_chamber[heated] / HEATING_RATE
+        if mechanism.signal in by_signal:
+            chamber, size = by_signal[mechanism.signal]
+            changes[place, :, 0] = by_chamber[chamber] / size
         else:
             at_rest = by_chamber.get(cool, at_rest)
             changes[place, :, 0] = at_rest
@@ -238,6 +255,7 @@ def _sweep(
         {
             "angularRate": np.full((count, steps), rate),
             "caseTemperature": device.reference_temperature + chamber.rate * time,
+            **{name: np.full_like(time, chamber.force) for name in SPECIFIC_FORCE},
         }
         for device, chamber in cases
     ]

@@ -47,6 +47,12 @@ def test_each_text_has_an_fmu_of_its_own(tmp_path: Path) -> None:
         assert run["gyroAngle"][-1] - run["gyroAngle"][-101] == pytest.approx(bias, rel=1e-3)
 
 
+def test_a_file_is_compiled_alone(tmp_path: Path) -> None:
+    """Another file of the folder holds a class of the same name."""
+    (tmp_path / "other.mo").write_text("model tilted end tilted;")
+    assert build(tmp_path, 3e-3).exists()
+
+
 @pytest.mark.parametrize("name", ["missing.mo", "no-name.mo", "HRG.mo", "text.txt"])
 def test_a_file_that_is_no_class_is_refused(tmp_path: Path, name: str) -> None:
     if name != "missing.mo":
@@ -76,8 +82,13 @@ LOOP = "Real p = q; Real q = p;"
         ),
         (GYRO.format(description="rings \a", body=""), r"found the character '\\x07'"),
         ("model X Real x(start = 1); equation der(x) = -x; end X;", "no sample clock"),
+        ("\nmodel Y end Y;", "found the class Y, expected X"),
+        (
+            'model X "f(a.b = 1)"\n// g(a.b = 1)\n  M m(each\n a.b.c = 1 == 1); end X;',
+            r"row 4: found .*a\.b\.c.*expected a\(b\(c = \.\.\.\)\)",
+        ),
     ],
-    ids=["deep", "memory", "loop", "time", "text", "bell", "no gyro"],
+    ids=["deep", "memory", "loop", "time", "text", "bell", "no gyro", "other name", "dots"],
 )
 def test_a_class_that_cannot_be_built_is_refused(tmp_path: Path, text: str, message: str) -> None:
     """In one line, whatever the Modelica compiler does."""

@@ -128,6 +128,12 @@ def test_slow_gyro_agrees_at_rest() -> None:
         ({"temperature_degC": np.nan}, "temperature_degC: found nan, expected -173.15 to"),
         ({"drive_on": 2}, "drive_on: found 2, expected 0 to 1"),
         ({"drive": 1}, "drive: found an unknown argument, expected drive_on"),
+        ({"table_rate": 1}, "unknown argument, expected table_rate_deg_per_s$"),
+        ({"table_rate_deg_per_s": "1"}, "table_rate_deg_per_s: found no numbers"),
+        ({"duration_s": "60"}, "duration_s: found '60', expected a number from 1"),
+        ({"interval_s": "0.1"}, "interval_s: found '0.1', expected a number"),
+        ({"seed": "1"}, "seed: found '1', expected a whole number"),
+        ({"seed": True}, "seed: found True, expected a whole number"),
     ],
 )
 def test_an_argument_of_no_use_is_named(arguments: dict[str, Any], message: str) -> None:
@@ -139,3 +145,7 @@ def test_an_argument_of_no_use_is_named(arguments: dict[str, Any], message: str)
 def test_an_unknown_device_is_refused(device: str) -> None:
     with pytest.raises(HrgError, match=device):
         simulate(device, duration_s=1)
+
+
+def test_the_documentation_lists_every_input() -> None:
+    assert [name for name in HELD_INPUTS if f"`{name}`" not in (simulate.__doc__ or "")] == []

@@ -16,9 +16,10 @@ from ins_eval.mission_model.missions import WARM_UP
 from ins_eval.study.gyros.bench_plan import TABLE_RATE, WARM_RISE, BenchPlan
 from ins_eval.study.gyros.drift import AGEING_SHARE, LARGEST_LEAKAGE, Drift
 from ins_eval.study.gyros.measured_gyro import FLICKER_FLOOR
-from ins_eval.study.gyros.population import BIAS_PER_KELVIN, RAW, Population
+from ins_eval.study.gyros.population import BIAS_PER_G, BIAS_PER_KELVIN, RAW, Population
 from pyhrg.bench.readings.segments import SEGMENT
 from pyhrg.common.arrays import Array
+from pyhrg.common.units import STANDARD_GRAVITY
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.witness.information import (
@@ -26,9 +27,9 @@ from pyhrg.witness.information import (
     accumulate_output_information,
     compute_posterior,
 )
-from pyhrg.witness.mechanisms import COUNT, TEMPERATURE_RATE, read_values
+from pyhrg.witness.mechanisms import COUNT, STEADY, read_values
 from pyhrg.witness.prior import Prior, compute_turn_on_covariance, make_drift_prior
-from pyhrg.witness.responses import Motion, Responses, measure_responses
+from pyhrg.witness.responses import Motion, Responses, measure_responses, stack_signals
 
 DRAWS = 400
 """Number of gyros by which a population's spread is taken. Chosen: known to 4 %."""
@@ -60,23 +61,36 @@ def compute_bench_covariance(
 
 
 def widen_prior(prior: Prior, device: Device) -> Prior:
-    """The prior of a device that is known no better than the bench of the study leaves it."""
+    """The prior of a device that is known no better than the bench of the study leaves it, which
+    measures no sensitivity to specific force or to the rate of temperature."""
     responses = measure_responses(GyroFmu(build_fmu("HRGSlow")), device)
     benched = compute_bench_covariance(responses, device, RAW, BenchPlan())
-    return Prior(prior.mean, prior.covariance + benched)
+    drifted = np.diag(make_study_drift(device, Drift()).covariance)
+    unmeasured = np.diag(np.where(STEADY, 0.0, drifted))
+    return Prior(prior.mean, prior.covariance + benched + unmeasured)
+
+
+def forget_unmeasured(device: Device) -> Device:
+    """The device without what no bench of the study measures, which is believed to be zero."""
+    return replace(
+        device,
+        bias_per_acceleration=0.0,
+        pickoff_gain_per_acceleration=0.0,
+        bias_per_temperature_rate=0.0,
+    )
 
 
 def make_study_drift(device: Device, drift: Drift) -> Prior:
-    """Distribution of what changes from calibration to flight, and of the sensitivity to the rate
-    of temperature, which no bench measures."""
-    unmeasured = replace(device, bias_per_temperature_rate=0.0)
+    """Distribution of what changes from calibration to flight, and of the sensitivities to the rate
+    of temperature and to specific force, which no bench measures."""
     warming_bias = BIAS_PER_KELVIN * WARM_UP
     return make_drift_prior(
-        unmeasured,
+        forget_unmeasured(device),
         drift.age,
         AGEING_SHARE,
         LARGEST_LEAKAGE,
         temperature_rate_bias=warming_bias,
+        specific_force_bias=BIAS_PER_G / STANDARD_GRAVITY,
         cubic=0.0,
     )
 
@@ -86,7 +100,7 @@ def compute_population_covariance(population: Population) -> Array:
     """(COUNT, COUNT) covariance of the mechanisms of a population, which are uncorrelated, SI."""
     generator = np.random.default_rng(0)
     values = [read_values(population.draw(generator)) for _ in range(DRAWS)]
-    return np.diag(np.where(TEMPERATURE_RATE, 0.0, np.var(values, axis=0)))
+    return np.diag(np.where(STEADY, np.var(values, axis=0), 0.0))
 
 
 def measure_bench(responses: Responses, device: Device, plan: BenchPlan) -> Array:
@@ -110,13 +124,15 @@ def _list_motions(plan: BenchPlan) -> list[tuple[Motion, int]]:
         positions = np.pi * np.arange(plan.positions) / plan.positions
         at_rest = np.zeros(plan.positions)
         length = SEGMENT * plan.segments
-        motions.append((Motion(length, positions, at_rest, at_rest, at_rest + rise, at_rest), runs))
+        unmoved = stack_signals(at_rest)
+        motions.append((Motion(length, positions, at_rest, at_rest, at_rest + rise, unmoved), runs))
         duration = plan.periods * np.pi / 2 / (ANGULAR_GAIN * TABLE_RATE)
         time = np.arange(0.0, duration, ROW)
+        turning = stack_signals(0 * time)
         for rate in (TABLE_RATE, -TABLE_RATE):
             every = np.ones_like(time)
             angle = -ANGULAR_GAIN * rate * time
             motions.append(
-                (Motion(ROW, angle, rate * every, 0 * every, rise * every, 0 * every), runs)
+                (Motion(ROW, angle, rate * every, 0 * every, rise * every, turning), runs)
             )
     return motions

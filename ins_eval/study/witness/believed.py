@@ -1,12 +1,16 @@
 """A gyro as the bench of a study leaves it known: with an error, and with what no bench measures
 taken for zero."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from ins_eval.study.gyros.drawn_triad import TriadDistribution
-from ins_eval.study.gyros.witness_prior import compute_bench_covariance, make_study_prior
+from ins_eval.study.gyros.witness_prior import (
+    compute_bench_covariance,
+    forget_unmeasured,
+    make_study_prior,
+)
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.witness.information import factor_covariance
@@ -40,15 +44,7 @@ def believe_gyro(
     population, plan = distribution.population, distribution.bench
     left = compute_bench_covariance(measure_responses(fmu, device), device, population, plan)
     error = factor_covariance(left) @ generator.standard_normal(COUNT)
-    believed = change_device(
-        replace(
-            device,
-            bias_per_acceleration=0.0,
-            pickoff_gain_per_acceleration=0.0,
-            bias_per_temperature_rate=0.0,
-        ),
-        error,
-    )
+    believed = change_device(forget_unmeasured(device), error)
     responses = measure_responses(fmu, believed)
     prior = make_study_prior(responses, believed, population, plan, distribution.drift)
     return BelievedGyro(believed, responses, prior)

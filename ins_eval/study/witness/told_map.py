@@ -29,13 +29,21 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.witness.mechanisms import COUNT as MECHANISMS
-from pyhrg.witness.mechanisms import TEMPERATURE_RATE, change_device
+from pyhrg.witness.mechanisms import (
+    FOLLOWED,
+    SIGNALS,
+    STEADY,
+    TEMPERATURE_RATE,
+    change_device,
+    read_values,
+)
 from pyhrg.witness.responses import POWERS, Responses, measure_channels
 
 OUTPUT, MAPS = 2, slice(0, 2)
 """Place of the output among the channels, and of bias and scale-factor error among its motions."""
-HEATED = slice_coefficients(slice(POWERS, POWERS + 1))
-"""Coefficients that follow the rate of the case's temperature."""
+TOLD = POWERS + len(SIGNALS) - 1
+"""Number of the mission's signals to which the response is known: powers of the warmth, then those
+of `mechanisms.SIGNALS`."""
 
 
 @dataclass(frozen=True)
@@ -57,16 +65,17 @@ def tell_map(
 ) -> ToldMap:
     """The maps of a device with changes (MECHANISMS,) of a covariance.
 
-    What they do under specific force and fast turning is taken for zero.
+    What they do under fast turning is taken for zero.
 
     fmu: `HRGSlow`; responses: of the changed device; rise: final rise of its temperature, K.
     """
-    (channels,) = measure_channels(fmu, [change_device(device, changes)])
+    changed = change_device(device, changes)
+    (channels,) = measure_channels(fmu, [changed])
     response = respond(responses, rise)
-    mean = np.zeros(COUNT)
+    values = np.where(TEMPERATURE_RATE, changes, read_values(changed))
+    mean = response[:, ~STEADY] @ values[~STEADY]
     maps = channels[OUTPUT, :, MAPS].reshape(POWERS, -1) * _warm(rise)[:, None]
     mean[: maps.size] = maps.ravel()
-    mean[HEATED] = response[HEATED][:, TEMPERATURE_RATE] @ changes[TEMPERATURE_RATE]
     return ToldMap(mean, response @ covariance @ response.T)
 
 
@@ -76,8 +85,11 @@ def respond(responses: Responses, rise: float) -> Array:
     maps = responses.output[:, :, MAPS].reshape(MECHANISMS, POWERS, -1) * _warm(rise)[:, None]
     response = np.zeros((COUNT, MECHANISMS))
     steady = maps.reshape(MECHANISMS, -1).T
-    response[: len(steady)] = np.where(TEMPERATURE_RATE, 0.0, steady)
-    response[HEATED] = np.where(TEMPERATURE_RATE, rise * maps[:, 0].T, 0.0)
+    response[: len(steady)] = np.where(STEADY, steady, 0.0)
+    # the mission's heating is a share of the rise
+    for place, size in enumerate((rise, 1.0, 1.0)):
+        follows = slice_coefficients(slice(POWERS + place, POWERS + place + 1))
+        response[follows] = np.where(place + 1 == FOLLOWED, size * maps[:, 0].T, 0.0)
     return response
 
 
@@ -104,17 +116,21 @@ def predict_error(
     return NormalPrediction(expected, covariance)
 
 
-def compute_angle_errors(told: ToldMap, pattern: Array, time: Array, rotation: Array) -> Array:
+def compute_angle_errors(
+    told: ToldMap, pattern: Array, time: Array, rotation: Array, force: Array
+) -> Array:
     """(n,) errors of a gyro's increments, rad, by its maps.
 
     pattern: (n + 1,) detected pattern angles at the bounds of the increments, rad; time: (n + 1,)
-    since the alignment, s; rotation: (n,) increments of the gyro, rad.
+    since the alignment, s; rotation: (n,) increments of the gyro, rad; force: (n, 3) specific force
+    along the axes of its case, m/s^2.
     """
+    x, _, z = np.concatenate([force[:1], 0.5 * (force[1:] + force[:-1]), force[-1:]]).T
     warmth, interval = compute_resonator_warmth(time), np.diff(time)
     signals = np.stack(
-        [*(warmth**power for power in range(POWERS)), compute_case_warming_rate(time)]
+        [*(warmth**power for power in range(POWERS)), compute_case_warming_rate(time), x, z]
     )
-    maps = told.mean[: HEATED.stop].reshape(POWERS + 1, 2, TERMS)
+    maps = told.mean[slice_coefficients(slice(0, TOLD))].reshape(TOLD, 2, TERMS)
     bias, scale = (np.einsum("sn,st->nt", signals, maps[:, kind]) for kind in (0, 1))
     rate = np.einsum("nt,nt->n", evaluate_terms(pattern), bias)
     detected = np.einsum("nt,nt->n", _evaluate_angle_errors(pattern), scale[:, 1:])

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ins_eval.imu.gyros import resolve_force_in_case
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import STILL
 from ins_eval.mission_model.signals import compute_resonator_warmth
@@ -27,6 +28,7 @@ from pyhrg.witness.fit import FittedChanges, Flown, fit_changes
 from pyhrg.witness.information import compute_normalized_square
 from pyhrg.witness.mechanisms import TEMPERATURE_RATE, read_values
 from pyhrg.witness.replay import Witnesses
+from pyhrg.witness.responses import Responses
 
 
 @dataclass(frozen=True)
@@ -38,7 +40,7 @@ class WitnessedFlight:
     those that the channels tell until the alignment ends;
     told, known: (2,) error that the maps told by the channels make, and those known from the bench;
     told_covariance, known_covariance: (2, 2) of these, m^2, without noise and mounting;
-    squares, degrees: (3,) normalised squares of the estimates' errors, and degrees of freedom;
+    squares, degrees: (3,) normalised squares of the told changes' errors, and degrees of freedom;
     p_values: (3,) as of `Filtered`.
     """
 
@@ -90,8 +92,10 @@ def witness_triad(
     predictions = [predict_error(weights, maps, start, none) for maps in (told, known)]
     true = [read_true_changes(b.device, f) for b, f in zip(believed, triad.flights, strict=True)]
     scored = [
-        compute_normalized_square(fit.changes - changes, fit.covariance)
-        for fit, changes in zip(fits, true, strict=True)
+        compute_normalized_square(told_changes - changes, covariance)
+        for (told_changes, covariance, _), changes in zip(
+            map(_follow, believed, fits), true, strict=True
+        )
     ]
     return WitnessedFlight(
         flown=flight.navigate()[-1],
@@ -126,19 +130,22 @@ def _tell(
     fits: Sequence[FittedChanges] | None,
     flight: ChannelFlight,
 ) -> list[ToldMap]:
-    """Maps of the gyros by estimates, or by what is known before the flight. An estimate that the
-    forces contradict is not followed."""
+    """Maps of the gyros by estimates, or by what is known before the flight."""
     told = []
     for axis in range(AXES):
         gyro, witnesses = believed[axis], flight.witnesses[axis]
         rise = _read_rise(gyro.device, witnesses)
-        fit = fits[axis] if fits else None
-        if fit and fit.is_explained:
-            known = fit.changes, fit.covariance, fit.responses
-        else:
-            known = gyro.prior.mean, gyro.prior.covariance, gyro.responses
+        known = _follow(gyro, fits[axis] if fits else None)
         told.append(tell_map(slow, gyro.device, *known, rise))
     return told
+
+
+def _follow(gyro: BelievedGyro, fit: FittedChanges | None) -> tuple[Array, Array, Responses]:
+    """Changes, their covariance, and the sensitivities with them: those of the prior without an
+    estimate and where the forces contradict it."""
+    if fit and fit.is_explained:
+        return fit.changes, fit.covariance, fit.responses
+    return gyro.prior.mean, gyro.prior.covariance, gyro.responses
 
 
 def _read_rise(device: Device, witnesses: Witnesses) -> float:
@@ -152,8 +159,9 @@ def _read_rise(device: Device, witnesses: Witnesses) -> float:
 
 def _correct(flight: ChannelFlight, told: Sequence[ToldMap]) -> Array:
     time, rotation = flight.measured.bounds, flight.measured.rotation
-    errors = [
-        compute_angle_errors(each, flight.patterns[:, axis], time, rotation[:, axis])
-        for axis, each in enumerate(told)
-    ]
+    errors = []
+    for axis, each in enumerate(told):
+        force = resolve_force_in_case(flight.measured, np.eye(AXES)[axis])
+        pattern = flight.patterns[:, axis]
+        errors.append(compute_angle_errors(each, pattern, time, rotation[:, axis], force))
     return np.asarray(flight.navigate(np.stack(errors, axis=-1))[-1])

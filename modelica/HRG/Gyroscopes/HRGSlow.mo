@@ -87,6 +87,7 @@ at rest, so that only the pattern moves, and a step may last a second. The state
 straight line. Noise of pick-offs is that of one control period, read once per output. Outputs change once in a sample period:
 communication steps are best whole multiples of it, and results then don't depend on them.</p>
 <p>The loops of <code>HRGEnvelope</code> follow a turning pattern with a lag that is not in here. It matters where the split is large:
-while the case turns at W the output loses dw^2 W/(2 w^2) of rate, w the natural frequency of the quadrature loop, 1e-7 of W at 0.5 mHz.</p>
+while the case turns at W the output loses (W/2)(dw/w)^2 (1 + cos 8(theta - theta_w)) of rate, w the natural frequency of the quadrature loop:
+1.4e-7 of W at 0.5 mHz, 2.2e-6 at 2 mHz (<code>HRG.Validation.Stiffness.SplitLag</code>).</p>
 </html>"));
 end HRGSlow;

@@ -4,18 +4,19 @@ class Mechanisms "Catalogue of error mechanisms and modes: where each is a param
 <p>Zero by default. Closed forms hold at rest with the loops closed unless they say otherwise, to first order; th is
 the pattern angle, c4 = cos 4 th, s4 = sin 4 th, ' counted from th_tau, '' from th_w. B: output bias; G: growth
 rate (<code>amplitudeForce</code>); N: <code>quadratureForce</code>; P: <code>frequencyOffset</code>. The other symbols are
-those of Conventions. Each line is demonstrated by models of <code>HRG.Validation</code>, which name its number.</p>
+those of Conventions. W is the inertial rate of the case: an error of the angle, f(th), is a rate error of -k W df/dth besides its bias, on the
+Earth too, whose rate is 9.65 deg/h about a vertical axis at 39.9 degrees of latitude. Each line is demonstrated by models of <code>HRG.Validation</code>, which name its number.</p>
 <table border=\"1\">
 <tr><th>#</th><th>mechanism</th><th>parameter or input</th><th>closed form</th></tr>
 <tr><td>1</td><td>damping anisotropy</td><td><code>resonator.material.dampingAnisotropy</code>, <code>dampingAxis</code></td><td>B = -(D/4k) s4', G = 1/tau + (D/2) c4'</td></tr>
-<tr><td>2</td><td>pick-off gain mismatch</td><td><code>pickOff.gainMismatch</code></td><td>angle +(g/4k) s4; B = +(g/4k tau) s4, G -(g/2 tau) c4</td></tr>
-<tr><td>3</td><td>drive gain mismatch</td><td><code>drive.gainMismatch</code></td><td>B and G as 2, nothing in the angle</td></tr>
-<tr><td>4</td><td>pick-off non-orthogonality</td><td><code>pickOff.nonOrthogonality</code></td><td>angle -(d/4k)(1 + c4); B = -(d/4k tau)(1 + c4), G -(d/2 tau) s4</td></tr>
-<tr><td>5</td><td>drive non-orthogonality</td><td><code>drive.nonOrthogonality</code></td><td>B and G as 4, nothing in the angle</td></tr>
+<tr><td>2</td><td>pick-off gain mismatch</td><td><code>pickOff.gainMismatch</code></td><td>angle +(g/4k) s4, so a rate error of -W g c4; B = +(g/4k tau) s4, G -(g/2 tau) c4</td></tr>
+<tr><td>3</td><td>drive gain mismatch</td><td><code>drive.gainMismatch</code></td><td>B and G as 2, nothing in the angle; with 2, under a virtual rotation R: rate +((g + gd)/2) R c4</td></tr>
+<tr><td>4</td><td>pick-off non-orthogonality</td><td><code>pickOff.nonOrthogonality</code></td><td>angle -(d/4k)(1 + c4), so a rate error of -W d s4; B = -(d/4k tau)(1 + c4), G -(d/2 tau) s4</td></tr>
+<tr><td>5</td><td>drive non-orthogonality</td><td><code>drive.nonOrthogonality</code></td><td>B and G as 4, nothing in the angle; with 4, under a virtual rotation R: rate +((d + nd)/2) R s4</td></tr>
 <tr><td>6</td><td>drive frame rotation</td><td><code>drive.frameRotation</code></td><td>B = -e/(2k tau)</td></tr>
 <tr><td>7</td><td>frequency split with phase error</td><td><code>resonator.material.frequencySplit</code>, <code>stiffnessAxis</code>; <code>pickOff.phaseError</code>, input <code>phaseOffset</code></td><td>B = -(dw p/4k) s4'', N = (dw/2) s4'', P = -(dw/2) c4''</td></tr>
 <tr><td>8</td><td>residual quadrature</td><td><code>controller.quadratureSetpoint</code></td><td>B = -(dw/2k) q0 c4'', N + q0/tau</td></tr>
-<tr><td>9</td><td>split alone</td><td>as 7</td><td>B = 0</td></tr>
+<tr><td>9</td><td>split alone</td><td>as 7; <code>controller.quadratureLoop.naturalFrequency</code></td><td>at rest B = 0; in a case that turns, the loop of natural frequency w_q leaves q = 2 k W dw c4''/w_q^2, by 8 a rate error of -W (dw/w_q)^2 (1 + c8'')/2 (not in <code>HRGSlow</code>)</td></tr>
 <tr><td>10</td><td>differential phase</td><td><code>pickOff.differentialPhase</code></td><td>with a split: 8th harmonic, dw p/16k</td></tr>
 <tr><td>11</td><td>feedthrough</td><td><code>pickOff.feedthrough</code></td><td>with a split: B = (c dw^2/8k) s8''</td></tr>
 <tr><td>12</td><td>demodulation offset</td><td><code>pickOff.offset</code>, <code>offsetY</code></td><td>2nd harmonic: angle (x0 sin 2 th - y0 cos 2 th)/2k, B as much over tau</td></tr>

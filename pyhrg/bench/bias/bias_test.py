@@ -4,14 +4,20 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import pandas as pd
 
 from pyhrg.bench.outcome import Finding, estimate_deviation, estimate_mean
 from pyhrg.bench.readings.segments import Points
 from pyhrg.common.pages.markup import Table
-from pyhrg.common.units import DEG_PER_H
+from pyhrg.common.units import DEG, DEG_PER_H
 
 RUNS = 7
 """Number of power-ons of a test (paper 4.1, item 4)."""
+POINT_UNITS = {
+    **{"run": "1", "position": "1", "time_s": "s", "pattern_angle_deg": "deg"},
+    **{"table_angle_deg": "deg", "bias_deg_per_h": "deg/h", "sigma_deg_per_h": "deg/h"},
+}
+"""Units of the columns of a table of data points."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +61,26 @@ class BiasTest:
             estimate_mean("bias stability", self.deviations, "deg/h"),
             estimate_deviation("bias repeatability", self.means, "deg/h"),
         )
+
+    def tabulate_points(self, within: Finding) -> pd.DataFrame:
+        """The data points, 100 s means, with the columns of `POINT_UNITS`. The bias is the mean
+        output rate less Earth's, its one-sigma the standard deviation within positions."""
+        parts = [
+            pd.DataFrame(
+                {
+                    "run": number,
+                    "position": run.dwell - run.dwell[0] + 1,
+                    "time_s": run.time,
+                    "pattern_angle_deg": run.pattern_angle % np.pi / DEG,
+                    "table_angle_deg": run.table_angle / DEG,
+                    "bias_deg_per_h": run.rate / DEG_PER_H,
+                }
+            )
+            for number, run in enumerate(self.runs, 1)
+        ]
+        frame = pd.concat(parts, ignore_index=True).assign(sigma_deg_per_h=within.value)
+        frame.attrs["units"] = dict(POINT_UNITS)
+        return frame
 
     def table(self) -> Table:
         """Runs in the layout of the paper's Table 2."""

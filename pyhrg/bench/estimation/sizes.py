@@ -126,7 +126,8 @@ def estimate_anisotropy(
 ) -> tuple[Finding, Finding]:
     """Size m and axis th of an anisotropy with the components m cos 4th and m sin 4th.
 
-    Where the components' 95 % confidence ellipse holds zero, the size has an upper bound only and
+    The axis lies in 0 to 90 deg; an interval that holds 90 deg is given about 0 deg instead. Where
+    the components' 95 % confidence ellipse holds zero, the size has an upper bound only and
     the axis has no value.
     """
     index = [fit.names.index(component) for component in components]
@@ -148,6 +149,8 @@ def estimate_anisotropy(
     radial = reach * float(np.sqrt(along @ covariance @ along))
     turned = reach * float(np.sqrt(across @ covariance @ across)) / size / 4
     angle = float(np.arctan2(value[1], value[0])) / 4 % (np.pi / 2)
+    if angle + turned >= np.pi / 2:
+        angle -= np.pi / 2
     return (
         Finding(name, size, unit, max(0.0, size - radial), size + radial, n),
         Finding(axis, angle, "deg", angle - turned, angle + turned, n, "modulo 90 deg"),

@@ -35,6 +35,7 @@ class Decay:
     time: (n,) s; turned: (n,) of the pattern, rad; amplitude: (n,).
     angle_at_start: of the pattern, rad.
     rotation: of the case, rad/s.
+    left_out: duration of its later rows that `cut` took away, s.
     """
 
     source: str
@@ -44,11 +45,20 @@ class Decay:
     amplitude: Array
     angle_at_start: float
     rotation: float
+    left_out: float = 0.0
 
     @property
     def angle(self) -> Array:
         """(n,) of the pattern, rad."""
         return self.angle_at_start + self.turned
+
+    def cut(self, duration: float) -> "Decay":
+        """Its rows up to a time after the drive was switched off, s."""
+        rows = slice(int(np.searchsorted(self.time, duration, side="right")))
+        parts = (self.time, self.turned, self.amplitude)
+        time, turned, amplitude = (values[rows] for values in parts)
+        left_out = (len(self.time) - len(time)) * self.interval
+        return replace(self, time=time, turned=turned, amplitude=amplitude, left_out=left_out)
 
 
 def find_decays(log: Log, site: Site, k: float) -> list[Decay]:

@@ -36,13 +36,22 @@ TABLE_RATE = 10 * DEG
 REST = 20.0
 DECAY = 120.0
 """Duration of one ring-down, s: short, as the split turns a walk of the quadrature into angle."""
-WALKING = 0.5
-"""Split times duration, rad, beyond which that is more than a few percent of the noise."""
+INTERVAL, FINE_INTERVAL = 1.0, 0.1
+"""Length of a row, s, and that for splits from 4 mHz on, which leave too few rows of 1 s."""
+GUESS_TOLERANCE = 1.1
+"""The fit is repeated on fewer rows where the split comes out larger than guessed by this factor.
+"""
+LARGEST_SPLIT_ANGLE = 0.5
+"""Split times time, rad, up to which rows are used. Beyond, that is more than a few percent of the
+noise, which the fit takes for white; at pi/2 a pattern may be a circle, whose angle means nothing.
+"""
 
 
 def make_programme(bench: Bench, positions: int = POSITIONS, decay: float = DECAY) -> Programme:
     """One power-on: at each angle the pattern is brought to amplitude, then left alone."""
-    course = bench.programme()
+    split = bench.device.frequency_split
+    enough = SHORTEST_ROWS * INTERVAL * split < LARGEST_SPLIT_ANGLE
+    course = bench.programme(INTERVAL if enough else FINE_INTERVAL)
     for position in range(positions):
         if position:
             course.turn(PATTERN_STEP / bench.device.bryan_factor, TABLE_RATE)
@@ -57,7 +66,8 @@ def record(bench: Bench, positions: int = POSITIONS, decay: float = DECAY) -> li
 
 
 def fit_ring_downs(campaign: Campaign) -> tuple[Fit, list[Decay], Gyro]:
-    """Fit of all ring-downs of the campaign, the pick-offs' errors taken from its rate tests.
+    """Fit of all ring-downs of the campaign, the pick-offs' errors taken from its rate tests, and
+    the ring-downs as far as they were used (`LARGEST_SPLIT_ANGLE`).
 
     Angle and amplitude alone don't separate a split from its negative; the quadrature force does.
     """
@@ -69,14 +79,33 @@ def fit_ring_downs(campaign: Campaign) -> tuple[Fit, list[Decay], Gyro]:
             f"{', '.join(log.source for log in logs)}: the drive is nowhere off for more than "
             f"{SHORTEST_ROWS} rows after rows with the drive on"
         )
-    first = found[0]
+    guess = _split_guess(campaign)
+    gyro, used = Gyro(k, _pickoff(campaign)), _cut_decays(found, guess)
+    first = used[0]
     rate = float(np.log(first.amplitude[0] / first.amplitude[-1]) / np.ptp(first.time))
-    split = _split_guess(campaign)
-    gyro = Gyro(k, _pickoff(campaign))
-    fit = free_decay.fit_decays(found, gyro, np.array([rate, 0.0, 0.0, split.real, split.imag]))
-    if (free_decay.describe_shell(fit.values).split.conjugate() * split).real < 0:
+    fit = free_decay.fit_decays(used, gyro, np.array([rate, 0.0, 0.0, guess.real, guess.imag]))
+    split = free_decay.describe_shell(fit.values).split
+    if abs(split) > GUESS_TOLERANCE * abs(guess):
+        used = _cut_decays(found, split)
+        fit = free_decay.fit_decays(used, gyro, fit.values)
+        split = free_decay.describe_shell(fit.values).split
+    if (split.conjugate() * guess).real < 0:
         fit = replace(fit, values=fit.values * [1, 1, 1, -1, -1])
-    return fit, found, gyro
+    return fit, used, gyro
+
+
+def _cut_decays(found: Sequence[Decay], split: complex) -> list[Decay]:
+    """Ring-downs up to `LARGEST_SPLIT_ANGLE` of a split, rad/s."""
+    duration = LARGEST_SPLIT_ANGLE / max(abs(split), 1e-12)
+    used = [decay.cut(duration) for decay in found]
+    if short := [decay for decay in used if len(decay.time) < SHORTEST_ROWS]:
+        raise BenchError(
+            f"{short[0].source}: a frequency split of {abs(split) / (2e-3 * np.pi):.3g} mHz allows "
+            f"{duration:.3g} s of a ring-down ({LARGEST_SPLIT_ANGLE} rad), "
+            f"{len(short[0].time)} rows of {short[0].interval:g} s; "
+            f"expected {SHORTEST_ROWS} or more"
+        )
+    return used
 
 
 def _pickoff(campaign: Campaign) -> complex:
@@ -110,7 +139,7 @@ def _split_guess(campaign: Campaign) -> complex:
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Decay time, damping anisotropy and split with their axes."""
-    fit, found, gyro = fit_ring_downs(campaign)
+    fit, used, gyro = fit_ring_downs(campaign)
     rate, (low, high) = fit.value(TERMS[0]), fit.interval(TERMS[0])
     damping, split = (
         (TERMS[1], TERMS[2]),
@@ -125,17 +154,28 @@ def evaluate(campaign: Campaign) -> Outcome:
             *make_component_findings(fit, split, "frequency split", "mHz"),
         ),
         verdict=(
-            f"Ring-downs: {len(found)}. The damping anisotropy here is the shell's: errors of the "
+            f"Ring-downs: {len(used)}. The damping anisotropy here is the shell's: errors of the "
             "drives take no part. Held to be zero: quadrature when the drive was switched off "
             "(q0/a would add 2 q0/a times the split), tilt of the input axis."
         ),
-        warnings=tuple(_list_warnings(found, gyro, free_decay.describe_shell(fit.values).split)),
-        draw=lambda figure: draw(figure, found, fit, gyro),
+        warnings=tuple(_list_warnings(used, gyro)),
+        exclusions=tuple(_list_exclusions(used)),
+        draw=lambda figure: draw(figure, used, fit, gyro),
         values={"terms": fit.terms},
     )
 
 
-def _list_warnings(found: Sequence[Decay], gyro: Gyro, split: complex) -> Iterator[str]:
+def _list_exclusions(used: Sequence[Decay]) -> Iterator[str]:
+    for source in dict.fromkeys(decay.source for decay in used if decay.left_out > 0):
+        cut = [decay for decay in used if decay.source == source and decay.left_out > 0]
+        yield (
+            f"{source}: the last {max(decay.left_out for decay in cut):.4g} s of ring-downs left "
+            f"out: split times time exceeds {LARGEST_SPLIT_ANGLE} rad after "
+            f"{float(cut[0].time[-1]):.3g} s, where noise of the quadrature turns into angle"
+        )
+
+
+def _list_warnings(found: Sequence[Decay], gyro: Gyro) -> Iterator[str]:
     # the resultant of the fourth harmonic of the angles that the pattern saw
     if abs(np.mean(np.concatenate([np.exp(4j * decay.angle) for decay in found]))) >= 0.75:
         yield (
@@ -147,14 +187,10 @@ def _list_warnings(found: Sequence[Decay], gyro: Gyro, split: complex) -> Iterat
             "no table rate both ways in this campaign: the pick-offs' errors are held to be zero; "
             "a gain mismatch g errs by g/4 of the angle that the pattern turns over"
         )
-    longest = max(float(decay.time[-1]) for decay in found)
-    if abs(split) * longest > WALKING:
-        yield (
-            f"split times duration is {abs(split) * longest:.2g} rad ({longest:.4g} s): the "
-            "quadrature walks with the noise of the forces and the split turns that into angle, "
-            "which the fit takes for white noise; at 0.75 rad its 95 % intervals hold the truth in "
-            "about 90 % only"
-        )
+
+
+STYLES = (("-", "."), ("--", "x"), (":", "+"))
+"""Line and mark of the ring-downs, anew where colours repeat."""
 
 
 def draw(figure: Figure, found: Sequence[Decay], fit: Fit, gyro: Gyro) -> None:
@@ -164,11 +200,15 @@ def draw(figure: Figure, found: Sequence[Decay], fit: Fit, gyro: Gyro) -> None:
     isotropic[1:3] = 0.0
     for number, decay in enumerate(found):
         colour = COLOURS[number % len(COLOURS)]
+        style, mark = STYLES[number // len(COLOURS) % len(STYLES)]
         with_damping, without = (gyro.orbit(decay, values)[0] for values in (fit.values, isotropic))
         label = f"from {decay.angle_at_start % (np.pi / 2) / DEG:.1f} deg"
-        above.plot(decay.time, (decay.angle - without) / ARCSEC, ".", ms=3, color=colour)
-        above.plot(decay.time, (with_damping - without) / ARCSEC, color=colour, lw=1, label=label)
-        below.plot(decay.time, (decay.angle - with_damping) / ARCSEC, color=colour, lw=0.8)
+        above.plot(decay.time, (decay.angle - without) / ARCSEC, mark, ms=3, color=colour)
+        drawn = (decay.time, (with_damping - without) / ARCSEC, style)
+        above.plot(*drawn, color=colour, lw=1, label=label)
+        below.plot(decay.time, (decay.angle - with_damping) / ARCSEC, style, color=colour, lw=0.8)
+    above.plot([], [], "k.", ms=3, label="measured")
+    above.plot([], [], "k", lw=1, label="fit")
     title = "Ring-downs: pattern angle less rotation and split"
     above.set(title=title, ylabel="turned by damping, arcsec")
     below.set(ylabel="residual of the fit, arcsec")

@@ -4,13 +4,13 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, ClassVar, cast
+from typing import Any, ClassVar
 
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pyhrg.bench.figures import move_legends
+from pyhrg.bench.figures import draw_in_place, move_legends
 from pyhrg.bench.outcome import Outcome
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.reporting import page
@@ -96,6 +96,18 @@ class TestResult:
             frame.insert(0, "table", table.title)
         return pd.concat(frames, ignore_index=True)
 
+    @property
+    def points(self) -> pd.DataFrame:
+        """Data points of a bias test, 100 s means, units in `attrs["units"]`; empty for other tests
+        and for results read from a file.
+
+        `run`, `position`, `time_s`, `pattern_angle_deg` (0 to 180), `table_angle_deg`,
+        `bias_deg_per_h` (output less Earth's rate) and its one-sigma `sigma_deg_per_h`: the
+        standard deviation of a position's points, pooled over positions and runs; NaN where each
+        has one point. The figure of the full circumference shows `bias_without_tilt_deg_per_h`.
+        """
+        return self.outcome.points
+
     def plot(self, ax: Axes | None = None) -> list[Axes]:
         """Draw the test's figure.
 
@@ -111,19 +123,7 @@ class TestResult:
         """
         if self.outcome.draw is None:
             raise HrgError(f"{self.name}: this test has no figure")
-        if ax is None:
-            from matplotlib import pyplot
-
-            figure = pyplot.figure(figsize=(8, 5), layout="constrained")
-            self.outcome.draw(figure)
-            return figure.axes
-        place = ax.get_subplotspec()
-        if place is None:
-            raise HrgError("ax: found axes outside a grid, expected axes of plt.subplots")
-        part = ax.figure.add_subfigure(place)
-        ax.remove()
-        self.outcome.draw(cast("Figure", part))  # a SubFigure draws as a Figure does
-        return part.axes
+        return draw_in_place(self.outcome.draw, ax)
 
     def write(self, folder: Path | str) -> None:
         """Write result.json, figure.png, the logs where they are simulated and device.toml where

@@ -76,9 +76,9 @@ class CandidateTerm:
         return self.channel, self.function.rpartition(": ")[0], self.coordinate
 
     @property
-    def is_product(self) -> bool:
-        """Whether it is a function of its coordinate times one of another."""
-        return ", " in self.function
+    def second(self) -> str:
+        """Words of the second function, where it is a product of two; else empty."""
+        return self.function.partition(", times ")[2]
 
     @property
     def is_curved(self) -> bool:
@@ -136,6 +136,26 @@ class Coordinates:
     def functions(self) -> list[tuple[str, str, int | None, Array]]:
         """Coordinate, words, harmonic and (n, b) values of each basis function."""
         return [(c, w, m, v.reshape(len(v), -1)) for c, w, m, v in _generate_functions(self)]
+
+    @cached_property
+    def factors(self) -> dict[str, Array]:
+        """(n, 1) second functions of products, by their words."""
+        log = self.test.log
+        forces = {
+            f"acceleration {axis}": getattr(log, f"acceleration_{axis}") / 10 for axis in "xyz"
+        }
+        factors = {
+            "the rate": self.table_rate,
+            "the temperature": self.resonator / 10,
+            "the amplitude": self.amplitude,
+            **forces,
+            **{f"{words} squared": force**2 for words, force in forces.items()},
+        }
+        return {words: values[:, None] for words, values in factors.items()}
+
+    def multiply(self, words: str, block: Array, second: str) -> tuple[str, None, Array]:
+        """Words, no harmonic, and (n, b) values of a product with one of these."""
+        return f"{words}, times {second}", None, block * self.factors[second]
 
 
 def compute_coordinates(
@@ -200,7 +220,8 @@ def _generate_temperature_functions(where: Coordinates) -> Functions:
     for p in TEMPERATURE_POWERS:
         yield "temperature", f"temperature^{p}", None, (where.resonator / 10) ** p
     fourth = make_harmonic(4 * where.pattern_angle)
-    yield "temperature", "temperature, 4th harmonic", None, fourth * where.resonator[:, None] / 10
+    words = "harmonic 4 of the pattern angle"
+    yield "temperature", *where.multiply(words, fourth, "the temperature")
     yield "temperature", "temperature of the case", None, where.case / 10
     rate, words = where.case_rate, "of the temperature rate"
     yield "temperature_rate", "temperature rate", None, rate * 60
@@ -220,8 +241,11 @@ def _generate_temperature_functions(where: Coordinates) -> Functions:
 def _generate_rate_functions(where: Coordinates) -> Functions:
     rate = where.table_rate
     for m in RATE_HARMONICS:
-        words = f"harmonic {m} of the pattern angle, times the rate"
-        yield "wave_angle", words, None, make_harmonic(m * where.pattern_angle) * rate[:, None]
+        words, harmonic = (
+            f"harmonic {m} of the pattern angle",
+            make_harmonic(m * where.pattern_angle),
+        )
+        yield "wave_angle", *where.multiply(words, harmonic, "the rate")
     for p, words in ((1, "rate"), (2, "rate squared"), (3, "rate cubed")):
         yield "rate", words, None, rate**p
     yield "rate", "magnitude of the rate", None, np.abs(rate)
@@ -231,7 +255,7 @@ def _generate_rate_functions(where: Coordinates) -> Functions:
 
 
 def _generate_acceleration_functions(where: Coordinates) -> Functions:
-    force = {axis: getattr(where.test.log, f"acceleration_{axis}") / 10 for axis in "xyz"}
+    force = {axis: where.factors[f"acceleration {axis}"] for axis in "xyz"}
     for axis in "xyz":
         yield "acceleration", f"acceleration {axis}", None, force[axis]
         yield "acceleration", f"acceleration {axis} squared", None, force[axis] ** 2

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
+from pyhrg.gap.effects.form import Form
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.linear_test import Group, LinearTest, whiten_rows, whiten_terms
 from pyhrg.gap.replay.observations import CHANNELS
@@ -95,7 +96,7 @@ def build_design(
     parts: Sequence[LinearTest],
     noise: CampaignNoise,
     jumps: Sequence[Jump] = (),
-    forms: Collection[CandidateTerm] = (),
+    forms: Collection[Form] = (),
 ) -> Design:
     """Whiten all series of linearized tests and sum up the normal equations
     (docs/methods/effects.md, Eqs. 7 and 8). Jumps are candidates in addition to effects and

@@ -4,11 +4,12 @@ It is taken to act at the same place and to follow the same coordinate (docs/met
 Eq. 10a).
 """
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.polynomial import chebyshev
+from numpy.polynomial.polynomial import polyval
 
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, Coordinates
@@ -24,14 +25,17 @@ DEGREES = range(2, 8)
 @dataclass(frozen=True)
 class Form(CandidateTerm):
     """A candidate term's function, or from degree 2 on a multiple of its harmonic; of one without
-    a harmonic, a Chebyshev polynomial, which is the same over an angle whose cosine it is.
+    a harmonic, a Chebyshev polynomial, which is the same over an angle whose cosine it is. Of a
+    product the second function is bent.
 
     largest: magnitude of the function in the campaign.
+    reach: magnitude of what is bent.
     size: number of columns.
     """
 
     degree: int = 1
     largest: float = 1.0
+    reach: float = 1.0
     size: int = 1
 
     @property
@@ -39,16 +43,30 @@ class Form(CandidateTerm):
         """The candidate term."""
         return CandidateTerm(self.channel, self.coordinate, self.function, self.harmonic)
 
-    def bend(self, block: Array) -> Array:
-        """(n, d) values of up to about 1, from the (n, d) values of the term's functions."""
+    @property
+    def is_multiple(self) -> bool:
+        """Whether it is a multiple of a harmonic."""
+        return self.size > 1 and not self.second
+
+    @property
+    def polynomial(self) -> Array:
+        """(degree,) coefficients, of rising powers, by which the function is multiplied: of the
+        polynomial less its constant, over what is bent."""
+        return np.asarray(chebyshev.cheb2poly(np.eye(self.degree + 1)[self.degree])[1:])
+
+    def bend(self, block: Array, bent: Array) -> Array:
+        """(n, d) values of up to about 1, from the (n, d) values of the term's functions, and of
+        what is bent of them."""
+        if not self.is_multiple:
+            return np.asarray(block / self.largest * polyval(bent / self.reach, self.polynomial))
         values = block / self.largest
-        if self.degree == 1:
-            return np.asarray(values)
-        if self.size == 1:
-            polynomial = chebyshev.Chebyshev.basis(self.degree)
-            return np.asarray(polynomial(values) - polynomial(0.0))
         length, angle = np.hypot(*values.T), self.degree * np.arctan2(values[:, 1], values[:, 0])
         return np.column_stack([length * np.cos(angle), length * np.sin(angle)])
+
+
+def get_bent(term: CandidateTerm, block: Array, where: Coordinates) -> Array:
+    """(n, d) of a product the second function, else the (n, d) values of the term's functions."""
+    return where.factors[term.second] if term.second else block
 
 
 def build_form_columns(
@@ -59,26 +77,25 @@ def build_form_columns(
     for form in forms:
         by_term.setdefault(form.term, []).append(form)
     return [
-        (form, respond(form.bend(block)))
+        (form, respond(form.bend(block, get_bent(form, block, where))))
         for term, block, respond in (generate_terms(where, channel) if forms else ())
         for form in by_term.get(term, ())
     ]
 
 
 def build_reading_columns(
-    where: Coordinates, groups: Collection[CandidateTerm]
-) -> list[tuple[CandidateTerm, Array]]:
-    """Errors of the output angle, (n, d) each, of those terms and forms that make the pattern be
-    read at a wrong angle."""
-    wanted: dict[CandidateTerm, list[CandidateTerm]] = {}
-    for group in groups:
-        if group.is_reading_error:
-            wanted.setdefault(group.term if isinstance(group, Form) else group, []).append(group)
-    return [
-        (group, group.bend(block) if isinstance(group, Form) else block)
-        for term, block, _ in (generate_terms(where, "gyro_angle") if wanted else ())
-        for group in wanted.get(term, ())
-    ]
+    where: Coordinates, forms: Collection[Form]
+) -> Iterator[tuple[CandidateTerm, Array]]:
+    """Errors of the output angle, (n, d) each, of all terms and of those forms that make the
+    pattern be read at a wrong angle."""
+    for term, block, _ in generate_terms(where, "gyro_angle"):
+        if term.is_reading_error:
+            yield term, block
+            yield from (
+                (form, form.bend(block, get_bent(form, block, where)))
+                for form in forms
+                if form.term == term
+            )
 
 
 def find_forms(
@@ -88,11 +105,13 @@ def find_forms(
     magnitude of the cause."""
     first = next(iter(sizes))
     blocks: dict[CandidateTerm, list[Array]] = {}
+    bent: dict[CandidateTerm, list[Array]] = {}
     for where in tests:
         for term, block, _ in generate_terms(where, first.channel):
-            is_function = term in sizes or not term.is_product
+            is_function = term in sizes or not term.second
             if term.family == first.family and is_function and not term.is_of_each_power_on:
                 blocks.setdefault(term, []).append(block)
+                bent.setdefault(term, []).append(get_bent(term, block, where))
     shapes = zip(*([b @ size for b in blocks[term]] for term, size in sizes.items()), strict=True)
     magnitude = max(float(np.abs(sum(own)).max()) for own in shapes)
     forms = [
@@ -103,14 +122,19 @@ def find_forms(
             term.harmonic,
             degree=degree,
             largest=largest,
+            reach=_find_largest(bent[term]),
             size=own[0].shape[1],
         )
         for term, own in blocks.items()
-        if (largest := max(float(np.abs(block).max()) for block in own))
+        if (largest := _find_largest(own))
         for degree in (1, *_list_degrees(term, term in sizes))
         if degree > 1 or list(sizes) != [term]
     ]
     return dict.fromkeys(forms, magnitude)
+
+
+def _find_largest(blocks: Iterable[Array]) -> float:
+    return max(float(np.abs(block).max()) for block in blocks)
 
 
 def _list_degrees(term: CandidateTerm, stands_for_it: bool) -> Iterable[int]:

@@ -124,7 +124,7 @@ def whiten_terms(
     channel: str,
     outputs: Sequence[Jump],
     jumps: Sequence[Jump],
-    forms: Collection[CandidateTerm],
+    forms: Collection[Form],
     noise: CampaignNoise,
 ) -> WhitenedTerms:
     """Products of a channel's columns. Those of the last noise and forms are kept: designs under
@@ -135,7 +135,7 @@ def whiten_terms(
         return kept[1]
     candidates: list[tuple[CandidateTerm, Array]] = [
         *build_term_columns(part.where, channel),
-        *build_form_columns(part.where, channel, [f for f in forms if isinstance(f, Form)]),
+        *build_form_columns(part.where, channel, forms),
     ]
     if channel == "gyro_angle":
         candidates += [(jump, jump.columns(part.where)) for jump in jumps]

@@ -27,6 +27,7 @@ ELECTRODE_HARMONICS = [m for m in PATTERN_HARMONICS if m not in (2, 4)]
 """Harmonics of errors of pick-off and drive. A term must not stand in for an offset (2), a gain or
 an axis (4) of the catalogue."""
 HARMONIC = "harmonic {} of the pattern angle"
+FORCES = [f"acceleration {axis}" for axis in "xyz"]
 
 
 def build_term_columns(where: Coordinates, channel: str) -> Columns:
@@ -93,7 +94,7 @@ def _generate_angle_terms(where: Coordinates) -> Iterator[PlacedTerm]:
     growth = where.growth_rate[:, None]
 
     def push(block: Array) -> Array:
-        return integrate(growth * block)
+        return integrate(growth * (block + np.vstack([block[:1], block[:-1]])) / 2)
 
     def push_and_show(block: Array) -> Array:
         return block + push(block)
@@ -107,31 +108,28 @@ def _generate_angle_terms(where: Coordinates) -> Iterator[PlacedTerm]:
 
 def _generate_products(where: Coordinates) -> Functions:
     """Functions of a bias alone: a scale factor by rate or temperature, specific force by it."""
-    rate, warm = where.table_rate[:, None], where.resonator[:, None] / 10
+    rate = where.factors["the rate"]
     yield "rate", "rate times its magnitude", None, rate * np.abs(rate)
-    yield "rate", "rate, times the temperature", None, rate * warm
-    for axis in "xyz":
-        force = getattr(where.test.log, f"acceleration_{axis}")[:, None] / 10
-        yield "acceleration", f"acceleration {axis}, times the temperature", None, force * warm
+    yield "rate", *where.multiply("rate", rate, "the temperature")
+    for words in FORCES:
+        yield "acceleration", *where.multiply(words, where.factors[words], "the temperature")
 
 
 def _generate_electrode_errors(where: Coordinates) -> Functions:
     """Errors of an angle at the electrodes."""
+
+    def modulate(m: int, second: str) -> tuple[str, None, Array]:
+        return where.multiply(HARMONIC.format(m), make_harmonic(m * where.pattern_angle), second)
+
     for m in ELECTRODE_HARMONICS:
         yield "wave_angle", HARMONIC.format(m), m, make_harmonic(m * where.pattern_angle)
     for m in (2, 4):
-        harmonic, words = make_harmonic(m * where.pattern_angle), HARMONIC.format(m)
-        warm = where.resonator[:, None] / 10
-        yield "temperature", f"{words}, times the temperature", None, harmonic * warm
-        for axis in "xyz":
-            force = getattr(where.test.log, f"acceleration_{axis}")[:, None] / 10
-            yield "acceleration", f"{words}, times acceleration {axis}", None, harmonic * force
-            squared = f"{words}, times acceleration {axis} squared"
-            yield "acceleration", squared, None, harmonic * force**2
+        yield "temperature", *modulate(m, "the temperature")
+        for words in FORCES:
+            yield "acceleration", *modulate(m, words)
+            yield "acceleration", *modulate(m, f"{words} squared")
     for m in (2, 8):
-        words = f"{HARMONIC.format(m)}, times the amplitude"
-        harmonic = make_harmonic(m * where.pattern_angle)
-        yield "amplitude", words, None, harmonic * where.amplitude[:, None]
+        yield "amplitude", *modulate(m, "the amplitude")
 
 
 def _generate_drive_gains(where: Coordinates, channel: str) -> Iterator[PlacedTerm]:

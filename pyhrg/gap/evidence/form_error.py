@@ -43,9 +43,11 @@ def rank_with_forms(
     explain about as much as one cause."""
     forms, known = (start.forms, start.ranking.best.groups) if start else (NO_ERROR, ())
     first = rank_under_noise(noise, nominal, parts, start=known, forms=forms)
-    rivals = [_settle_forms(first, first.ranking.best, nominal, parts)]
+    ranked = {first.forms.terms: first}
+    rivals = [_settle_forms(ranked, first, first.ranking.best, nominal, parts)]
     if not start and any(map(_is_term, first.ranking.best.groups)):
-        rivals.append(_settle_forms(first, _fit_single_cause(first, parts), nominal, parts))
+        single = _fit_single_cause(first, parts)
+        rivals.append(_settle_forms(ranked, first, single, nominal, parts))
     return max(rivals, key=lambda h: h.log_posterior)
 
 
@@ -63,7 +65,7 @@ def _fit_single_cause(first: Hypothesis, parts: Sequence[LinearTest]) -> Fit:
     fits = (fit(design, [group]) for group in design.groups if _is_term(group))
     seen = sorted((f for f in fits if f), key=lambda f: -f.explained)[:MAX_LEADERS]
     errors = [_allow_forms(f, first, parts) for f in seen]
-    forms = {group: None for error in errors for group in error.groups}
+    forms = {form: None for error in errors for form in error.sigmas}
     whole = first.discount(build_design(parts, first.channel_noise, forms=tuple(forms)))
 
     def score(fitted: Fit, error: FormError) -> float:
@@ -78,13 +80,18 @@ def _fit_single_cause(first: Hypothesis, parts: Sequence[LinearTest]) -> Fit:
 
 
 def _settle_forms(
-    first: Hypothesis, best: Fit, nominal: Device, parts: Sequence[LinearTest]
+    ranked: dict[tuple[CandidateTerm, ...], Hypothesis],
+    first: Hypothesis,
+    best: Fit,
+    nominal: Device,
+    parts: Sequence[LinearTest],
 ) -> Hypothesis:
     """Rank sets again beside the forms of the causes for which the terms of a set stand, then of
     the most probable set without the terms that forms make needless, until these terms stay. Forms
     of one more cause are allowed at a time, the strongest first: what one term misses may look like
-    many others. Where sets come back, the most probable hypothesis is kept."""
-    ranked, hypothesis = {first.forms.terms: first}, first
+    many others. Where sets come back, the most probable hypothesis is kept.
+    `ranked` are hypotheses by the terms that have forms; new ones are added."""
+    hypothesis = first
     for _ in range(MAX_ROUNDS):
         forms = _allow_forms(best, hypothesis, parts)
         if forms.terms == hypothesis.forms.terms:

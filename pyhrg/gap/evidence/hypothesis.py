@@ -42,11 +42,6 @@ class FormError:
     sigmas: Mapping[Form, float]
     terms: tuple[CandidateTerm, ...]
 
-    @property
-    def groups(self) -> tuple[CandidateTerm, ...]:
-        """The terms and their forms."""
-        return *self.terms, *self.sigmas
-
 
 NO_ERROR = FormError({}, ())
 SIGNIFICANT_SIGMA = 3.0
@@ -196,7 +191,7 @@ def rank_under_noise(
     nominal_noise = estimate_nominal_noise(nominal, parts)
     model_error = model_error_power(compute_excess_power(parts, nominal_noise))
     channel_noise = replace(nominal_noise, angle=noise.noise)
-    exact = build_design(parts, channel_noise, forms=forms.groups)
+    exact = build_design(parts, channel_noise, forms=tuple(forms.sigmas))
     tolerances = _list_tolerances(nominal, parts)
     tolerances.update(forms.sigmas.items())
     known = KnownParameters(discount_model_error(exact, model_error), tolerances, forms.terms)
@@ -214,7 +209,7 @@ def rank_under_noise(
     quantum, _ = find_quantization_step([part.test for part in parts]) or (0.0, 0.0)
     if jumps := {jump for r in residuals for jump in (*find_jumps(r), *find_steps(r, quantum))}:
         ordered = sorted(jumps, key=lambda jump: jump.words)
-        exact = build_design(parts, channel_noise, ordered, forms.groups)
+        exact = build_design(parts, channel_noise, ordered, tuple(forms.sigmas))
         known = KnownParameters(discount_model_error(exact, model_error), tolerances, forms.terms)
         ranking = rank_sets(known.marginal, is_feasible, ranking.best.groups, forms.terms)
         hypothesis = Hypothesis(noise, channel_noise, known, ranking, known, forms)

@@ -100,19 +100,29 @@ def rank_sets(
     base = frozenset(i for i, group in enumerate(groups) if group in required)
     evaluate(base)
     base = base if base in fits else frozenset()
-    for key in {base, base | known, base | known.intersection(named)}:
+    starts = {base, base | known, base | known.intersection(named)}
+    for key in starts:
         evaluate(key)
-    for allowed in (named, range(len(groups))):
+
+    def climb(allowed: Collection[int], reached: Collection[Key]) -> set[Key]:
+        """Extend the best of these sets, and of those reached from them, by groups allowed."""
         extensions = Extensions(design, groups, prior, allowed)
-        extended: set[Key] = set()
-        while due := _select_next(fits, extended):
+        reached, extended = {key for key in reached if key in fits}, set[Key]()
+        while due := _select_next({key: fits[key] for key in reached}, extended):
             extended.update(due)
+            near = {key - {index} for key in due for index in key - base}
             for key in due:
-                for index in key - base:
-                    evaluate(key - {index})
                 if len(key) < MAX_GROUPS:
-                    for index in extensions.list_best(key, MAX_EXTENSIONS):
-                        evaluate(key | {index})
+                    near |= {key | {i} for i in extensions.list_best(key, MAX_EXTENSIONS)}
+            for key in near:
+                evaluate(key)
+            reached |= near & fits.keys()
+        return reached
+
+    everything = range(len(groups))
+    climb(everything, climb(named, starts))
+    if len(max(fits, key=lambda key: fits[key][1])) >= MAX_GROUPS:  # it could not be extended
+        climb(everything, starts)
     return _normalize(list(fits.values()))
 
 

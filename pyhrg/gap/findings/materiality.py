@@ -27,7 +27,8 @@ is 0.01 nmi after an hour by the usual rule; 1e-3 is a tenth of a percent of wha
 
 
 def measure_leftover(attribution: Attribution, gap: Gap) -> Leftover:
-    """Size of what candidate terms explain, and of what closing leaves beyond the noise floor."""
+    """Size of what candidate terms explain in the test where it is largest, and of what closing
+    leaves beyond the noise floor."""
     by_channel = _list_term_responses(attribution)
     nominal = attribution.nominal
     scales = {
@@ -49,9 +50,9 @@ def measure_leftover(attribution: Attribution, gap: Gap) -> Leftover:
     ]
     noise_angle, noise_rate = measure_unnamed_noise(attribution.noise)
     return Leftover(
-        max(_rms([angle for _, angle in angles]), noise_angle, *excess) / ARCSEC,
+        max(_largest_rms(angles), noise_angle, *excess) / ARCSEC,
         max([*rates, noise_rate]) / DEG_PER_H,
-        max(_rms([v for _, v in by_channel[name]]) / scale for name, scale in scales.items()),
+        max(_largest_rms(by_channel[name]) / scale for name, scale in scales.items()),
     )
 
 
@@ -82,6 +83,6 @@ def _list_term_responses(attribution: Attribution) -> Mapping[str, list[tuple[Ar
     return responses
 
 
-def _rms(series: list[Array]) -> float:
-    values = np.concatenate([np.zeros(1), *series])
-    return float(np.sqrt(np.mean(values**2)))
+def _largest_rms(tests: list[tuple[Array, Array]]) -> float:
+    """Rms in the test where it is largest: tests that do not excite a cause make it no smaller."""
+    return max((float(np.sqrt(np.mean(v**2))) for _, v in tests if len(v)), default=0.0)

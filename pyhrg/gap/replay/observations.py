@@ -101,12 +101,13 @@ def observe_test(test: Test, nominal: Device) -> ObservedTest:
     changed = find_command_changes(log)
     if log.interval >= FINE_ROW:
         changed |= find_table_acceleration(inputs) | _find_rotation(inputs, FORCE_RATE_LIMIT)
-    settled = find_undisturbed_rows(log, changed, max(compute_settling_time(nominal), coarse))
+    duration = max(compute_settling_time(nominal), coarse)
+    settled = find_undisturbed_rows(log, changed, duration)
+    held = find_undisturbed_rows(log, _find_amplitude_changes(log, nominal), duration)
     rows = {}
     for name in CHANNELS:
         compared = np.isfinite(getattr(log, name)) & np.isfinite(log.gyro_angle)
-        if name != "gyro_angle":
-            compared &= settled
+        compared &= held if name == "gyro_angle" else settled
         if name in FORCES:
             compared &= log.drive_on > 0
         rows[name] = compared
@@ -158,6 +159,15 @@ def _find_changes(log: Log, names: Sequence[str]) -> Mask:
     for name in names:
         changed |= np.diff(getattr(log, name), prepend=getattr(log, name)[0]) != 0
     return changed
+
+
+def _find_amplitude_changes(log: Log, nominal: Device) -> Mask:
+    """(n,) rows in which the drive is to change the amplitude. It pushes hard then, and small
+    differences of quasi-steady gyros are late by three communication steps."""
+    if log.interval < FINE_ROW:
+        return np.zeros(len(log.time), dtype=bool)
+    set_points = np.diff(log.amplitude_setpoint, prepend=nominal.amplitude) != 0
+    return np.asarray(set_points | (np.diff(log.drive_on, prepend=log.drive_on[0]) > 0))
 
 
 def find_command_changes(log: Log) -> Mask:

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pandas as pd
 
@@ -19,6 +19,10 @@ from pyhrg.noise.coefficients import (
 )
 from pyhrg.noise.fitting import NORMAL_QUANTILE, estimate_noise
 from pyhrg.noise.ramp import estimate_rate_ramp
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 SCHEMA = "hrg-allan/1"
 FILES = RESULT, TABLE, PAGE = "allan.json", "allan.csv", "report.html"
@@ -76,7 +80,41 @@ class RecordNoise:
     @property
     def deviations(self) -> pd.DataFrame:
         """Allan deviation of each channel with 95 % intervals, in the unit of column `unit`."""
-        return pd.concat([_tabulate(each) for each in self.channels], ignore_index=True)
+        frame = pd.concat([_tabulate(each) for each in self.channels], ignore_index=True)
+        rate = frame["unit"].iloc[0] if frame["unit"].nunique() == 1 else "as in column unit"
+        units = {"cluster_time_s": "s", "deviation": rate, "low_95": rate, "high_95": rate}
+        frame.attrs["units"] = {name: units.get(name, "1") for name in frame.columns}
+        return frame
+
+    def plot(self, ax: "Axes | None" = None) -> "list[Axes]":
+        """Draw each channel's Allan deviation with 95 % intervals and the noise fitted to it.
+
+        Args:
+            ax: of a grid (`plt.subplots`), whose place the figure takes; a figure of its own if
+                None.
+
+        Returns:
+            The axes that were drawn, one a channel; their units are in the labels.
+
+        Raises:
+            HrgError: `ax` has no place in a grid.
+        """
+        from pyhrg.bench.figures import draw_in_place
+
+        return draw_in_place(self._draw, ax)
+
+    def _draw(self, figure: "Figure") -> None:
+        """Draw the channels, up to three side by side."""
+        from pyhrg.gap.static_record.allan_figure import plot_deviation, plot_fitted_noise
+
+        columns = min(len(self.channels), 3)
+        for number, each in enumerate(self.channels, 1):
+            axes = figure.add_subplot(-(-len(self.channels) // columns), columns, number)
+            kind = each.channel.kind
+            plot_deviation(axes, each.deviation, kind)
+            plot_fitted_noise(axes, each.deviation.tau, each.noise, each.ramp, kind)
+            axes.set_title(each.channel.name)
+            axes.legend()
 
     @property
     def document(self) -> dict[str, Any]:

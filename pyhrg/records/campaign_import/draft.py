@@ -10,13 +10,14 @@ from pathlib import Path
 import numpy as np
 
 from pyhrg.common.arrays import Array
+from pyhrg.common.units import DEG
 from pyhrg.records.campaign_import.column_mapping import BY_STEM
 from pyhrg.records.campaign_import.sketch import Sketch, read_sketch
-from pyhrg.records.campaign_import.units import BY_COLUMN_UNIT, RATE, TURN
+from pyhrg.records.campaign_import.units import ANGLE, BY_COLUMN_UNIT, RATE, TURN
 from pyhrg.records.columns import LogError
 
 PATTERNS = {
-    "time": r"^(t|time|timestamp|zeit|uhrzeit)$",
+    "time": r"^t$|time|zeit|stamp",
     "table_angle": r"table|^enc|tisch|stage",
     "axis_up": r"axis_up",
     "accel_x": r"^acc.*x$|^a_?x$|^f_?x$",
@@ -27,7 +28,7 @@ PATTERNS = {
     "amplitude_setpoint": r"set_?point",
     "phase_offset": r"phase_?offset",
     "drive_on": r"drive|^drv",
-    "wave_angle": r"wave|pattern|theta|precession",
+    "wave_angle": r"wave|pattern|muster|theta|precession",
     "quadrature_force": r"quad|^fq$",
     "amplitude_force": r"ampl.*force|damping|^fa$",
     "frequency_offset": r"freq|^f$",
@@ -58,23 +59,28 @@ LARGEST_OFFSET = 100.0
 """A loop frequency above this, in the log's unit, is no offset from the nominal one. Chosen."""
 AMPLITUDE_TOLERANCE = 0.2
 """A first amplitude further than this from 1 is in another unit than the nominal amplitude."""
+MIN_TABLE_TURN = 1 * DEG
+"""Smallest range of a turntable's angle, rad, of a log that is not static. Chosen."""
+EVEN_STEP_TOLERANCE = 0.01
+"""Largest relative departure of a step from the mean in times that rise evenly. Chosen."""
 HEAD = f"""\
-# A draft by `hrg campaign init`: every line that says "guessed" or "edit" is to be checked.
+# A draft by `hrg campaign init`: check every line that says "guessed"; where a value is "edit",
+# only you know it, and an import refuses the file until it is there.
 # `hrg campaign import THIS_FILE --check` says what it makes of it; docs/import.md has all keys.
 # What a column may be: {", ".join(list(BY_STEM)[:8])},
 #   {", ".join(list(BY_STEM)[8:14])},
 #   {", ".join(list(BY_STEM)[14:])}.
 # Kinds of tests: {", ".join(KINDS)}.
-device = "my gyro"              # edit
+device = "my gyro"
 
 [site]
-latitude_deg = 45.0             # edit
-gravity_m_s2 = 9.806            # edit
+latitude_deg = "edit"           # Earth's rate is taken out with it
+gravity_m_s2 = 9.806            # guessed
 
 [nominal]
-coriolis_factor = 0.277         # edit: angular gain of the resonator
-decay_time_s = 450.0            # edit
-frequency_Hz = 7000.0           # edit
+coriolis_factor = 0.277         # guessed: angular gain of the resonator
+decay_time_s = 450.0            # guessed
+frequency_Hz = 7000.0           # guessed
 """
 
 
@@ -103,7 +109,7 @@ def draft_mapping(files: Sequence[Path | str], folder: Path | str = ".") -> str:
         _name_tests(paths), paths, sketches, columns, strict=True
     ):
         place = Path(os.path.relpath(path, folder)).as_posix()
-        lines = _draft_test(name, place, guessed, shared)
+        lines = _draft_test(name, place, _guess_kind(name, sketch, guessed), guessed, shared)
         if sketch.layout != layout:
             own = {**dict.fromkeys(layout, "0"), **sketch.layout}
             lines.append(_write_table("tests.layout", own))
@@ -135,16 +141,31 @@ def _share_columns(columns: Sequence[Mapping[str, str]]) -> dict[str, str]:
 
 
 def _draft_test(
-    name: str, path: str, guessed: Mapping[str, str], shared: Mapping[str, str]
+    name: str, path: str, kind: str, guessed: Mapping[str, str], shared: Mapping[str, str]
 ) -> list[str]:
-    kind = next(kind for kind, pattern in KINDS.items() if re.search(pattern, name.lower()))
     lines = ["[[tests]]", f'id = "{name}"', f'kind = "{kind}"   # guessed']
     lines.append('role = "fit"   # or "holdout": verifies a diagnosis; neither fitted nor benched')
     lines.append(f"file = '{path}'")
     if "time" not in guessed:
-        lines.append("interval_s = 1.0   # edit: no column of times was found")
+        lines.append('interval_s = "edit"   # no column of times was found')
     absent = [f'"{stem}"' for stem in shared if stem not in {**guessed, **CONSTANTS}]
     return [*lines, f"absent = [{', '.join(absent)}]"] if absent else lines
+
+
+def _guess_kind(name: str, sketch: Sketch, guessed: Mapping[str, str]) -> str:
+    """Kind of a test by its name; where that says none, by what the table did."""
+    kind = next(kind for kind, pattern in KINDS.items() if re.search(pattern, name.lower()))
+    line = guessed.get("table_angle", "")
+    unit = re.search(r'unit = "(.*?)"', line)
+    if kind != "static" or not unit or unit[1] in RATE:
+        return kind
+    place = next(i for i, column in enumerate(sketch.names) if f"'{column}'" in line)
+    values = sketch.read_numbers(place)
+    angle = np.unwrap(values[np.isfinite(values)] * ANGLE[unit[1]].factor)
+    if len(angle) < 2 or np.ptp(angle) < MIN_TABLE_TURN:
+        return kind
+    steps = np.abs(np.diff(angle))
+    return "rate" if np.mean(steps > 0.1 * np.max(steps)) > 0.5 else "positions"
 
 
 def _draft_columns(
@@ -195,7 +216,9 @@ def _guess_column(sketch: Sketch, place: int) -> Iterator[tuple[str, str]]:
         names = {unit: unit for unit in units}
         names |= {name: unit for name, unit in UNIT_NAMES.items() if unit in units}
         bare, unit = _find_unit(name, stated, names)
-        if not re.search(pattern, bare):
+        values = sketch.read_numbers(place)
+        is_clock = stem == "time" and bool(unit) and _rises_evenly(values)
+        if not (re.search(pattern, bare) or is_clock):
             continue
         guess = "" if unit or not column.unit else "   # unit guessed"
         unit = unit or USUAL_UNITS[column.unit]
@@ -208,9 +231,15 @@ def _guess_column(sketch: Sketch, place: int) -> Iterator[tuple[str, str]]:
         if column.unit == "deg" and unit in RATE:
             parts.append('integrate = "means"')
         turn = 0.0 if unit in RATE else TURN / units[unit].factor
-        conversion, reason = _guess_conversion(stem, sketch.read_numbers(place), turn)
+        conversion, reason = _guess_conversion(stem, values, turn)
         parts += [conversion] if conversion else []
         yield stem, f"{stem} = {{ {', '.join(parts)} }}{reason or guess}"
+
+
+def _rises_evenly(values: Array) -> bool:
+    steps = np.diff(values)
+    mean = float(np.mean(steps)) if len(steps) else 0.0
+    return mean > 0 and bool(np.all(np.abs(steps - mean) < EVEN_STEP_TOLERANCE * mean))
 
 
 def _guess_conversion(stem: str, values: Array, turn: float) -> tuple[str, str]:

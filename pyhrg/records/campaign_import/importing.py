@@ -10,7 +10,7 @@ from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.files import replace_folder
 from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
-from pyhrg.records.campaign import Campaign, Test, write_campaign
+from pyhrg.records.campaign import INDEX, Campaign, Test, write_campaign
 from pyhrg.records.campaign_import.conversion import convert_column, read_times
 from pyhrg.records.campaign_import.joining import join_rows
 from pyhrg.records.campaign_import.layout import read_cells
@@ -53,7 +53,9 @@ class ImportedCampaign:
         return Campaign(self.mapping.device, self.mapping.site, self.mapping.nominal, tests)
 
 
-def import_campaign(mapping: Path | str, out: Path | str | None = None) -> ImportedCampaign:
+def import_campaign(
+    mapping: Path | str, out: Path | str | None = None, *, force: bool = False
+) -> ImportedCampaign:
     """Read a laboratory's logs as a campaign (docs/import.md); `preview` shows what was understood.
 
     No value is changed and no row left out. Rows are joined to longer ones only where the mapping's
@@ -62,22 +64,39 @@ def import_campaign(mapping: Path | str, out: Path | str | None = None) -> Impor
     Args:
         mapping: the TOML file that states columns and units.
         out: folder to write the campaign to; not there yet, or empty. None: nothing is written.
+        force: whether a campaign in `out` may be replaced.
 
     Raises:
         HrgError: the mapping can't be used; a file, column or cell is not as it says, or `read_log`
-            would refuse the log; there is something in `out`. Rows are named by the lines of the
-            laboratory's file.
+            would refuse the log; there is something in `out` that may not be replaced. Rows are
+            named by the lines of the laboratory's file.
         OSError: `out` can't be written.
     """
     place = None if out is None else Path(out)
-    if place and place.exists() and (place.is_file() or any(place.iterdir())):
-        raise HrgError(f"can't write {out}: found something there, expected nothing yet")
+    if place:
+        _check_place(place, force)
     logs = read_mapping(Path(mapping))
     imported = ImportedCampaign(logs, tuple(_import_test(test, logs) for test in logs.tests))
     if place:
         with replace_folder(place) as aside:
             write_campaign(imported.campaign, aside)
     return imported
+
+
+def _check_place(out: Path, force: bool) -> None:
+    """Refuse to replace what is there, with `force` what is not a campaign alone."""
+    if out.exists() and not out.is_dir():
+        raise HrgError(f"can't write {out}: found a file, expected a folder")
+    names = sorted(path.name for path in out.iterdir()) if out.exists() else []
+    others = [name for name in names if name != INDEX and not name.endswith(".csv.gz")]
+    if others or (names and INDEX not in names):
+        found = f"found {(others or names)[0]}, which is no part of a campaign"
+        raise HrgError(f"can't write {out}: {found}; choose another folder")
+    if names and not force:
+        raise HrgError(
+            f"can't write {out}: found a campaign there; choose another folder, or replace it with "
+            "--force"
+        )
 
 
 def _import_test(test: TestMapping, mapping: CampaignMapping) -> ImportedTest:

@@ -28,7 +28,13 @@ class ImportedTest:
 
 def describe_tests(mapping: CampaignMapping, tests: Sequence[ImportedTest]) -> str:
     """Tests with rows, columns, ranges in SI units, and what a reader leaves out."""
-    lines = [f"{mapping.device}: {len(tests)} tests"]
+    site = mapping.site
+    stated = [f"{key} {value:g}" for key, value in mapping.nominal.items()]
+    lines = [
+        f"{mapping.device}: {len(tests)} tests",
+        f"site: latitude_deg {site.latitude_deg:g}, gravity_m_s2 {site.gravity:g}",
+        f"nominal: {', '.join(stated)}",
+    ]
     unstated = [key for key in NOMINAL if key not in mapping.nominal]
     if unstated:
         lines.append(f"nominal: not stated, so as in any ideal gyro: {', '.join(unstated)}")

@@ -79,6 +79,16 @@ def test_rows_are_numbers(result: TestResult) -> None:
     assert rows.attrs["title"] == "Runs, deg/h"
 
 
+def test_points_are_those_of_the_figure(result: TestResult) -> None:
+    points = result.points
+    assert list(points.attrs["units"]) == list(points.columns)
+    assert points["run"].nunique() == RUNS
+    runs = points.groupby("run")["bias_deg_per_h"]
+    assert runs.mean().tolist() == pytest.approx(result.rows["mean"].tolist(), abs=1e-5)
+    within = points.groupby(["run", "position"])["bias_deg_per_h"].var(ddof=1).mean()
+    assert points["sigma_deg_per_h"].iloc[0] == pytest.approx(within**0.5, rel=1e-9, nan_ok=True)
+
+
 def test_plot_draws_on_a_figure_of_its_own_or_in_a_grid(result: TestResult) -> None:
     (axes,) = result.plot()
     assert axes.get_ylabel() == "bias, deg/h"

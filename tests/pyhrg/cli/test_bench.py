@@ -165,7 +165,7 @@ def test_specification(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
             ["fixed-position", "--device", "none.toml"],
             "none.toml: found no such file, expected one or ",
         ),
-        (["fixed-position", "--campaign", "none"], "campaign.json: can't be read: "),
+        (["fixed-position", "--campaign", "none"], "none: found no such folder, expected"),
         (["fixed-position", "--device", "a", "--campaign", "b"], "not allowed with argument"),
         (["fixed-position", "--bogus"], "unrecognized arguments: --bogus"),
         (["fixed-position", "--devise=typical"], "bench: found --devise, expected --device\n"),

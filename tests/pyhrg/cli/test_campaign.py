@@ -14,6 +14,7 @@ from pyhrg.common.cli import main
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG
 from pyhrg.records import LogError, campaign
+from pyhrg.records.campaign_import import draft_mapping
 
 PAGE = Path(__file__).parents[3] / "docs" / "import.md"
 
@@ -59,8 +60,16 @@ def test_example_is_imported(mapping: Path) -> None:
 
 def test_what_is_there_is_not_replaced(mapping: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(mapping, "--out", mapping.parent) == 2
-    assert "found something there, expected nothing yet" in capsys.readouterr().err
+    assert "mapping.toml, which is no part of a campaign" in capsys.readouterr().err
+    assert run(mapping, "--out", mapping.parent, "--force") == 2
     assert mapping.exists()
+    out = mapping.parent / "campaign"
+    assert run(mapping, "--out", out) == 0
+    mapping.write_text(mapping.read_text().replace("latitude_deg = 39.9", "latitude_deg = 45"))
+    assert run(mapping, "--out", out) == 2
+    assert "found a campaign there; choose another folder, or" in capsys.readouterr().err
+    assert run(mapping, "--out", out, "--force") == 0
+    assert campaign.read_campaign(out).site.latitude_deg == pytest.approx(45)
 
 
 @pytest.mark.parametrize(("old", "new"), [("0,4027", "0,4O27"), ("Omega", "Omicron")])
@@ -123,13 +132,29 @@ wave_angle = { column = "pattern", unit = "deg" }
     result = run_test("fixed-position", campaign=tmp_path / "campaign")
     assert any("table_angle_deg, virtual_rotation_deg_s" in x for x in result.outcome.exclusions)
     assert abs(result.findings.value["bias_deg_per_h"]) < 1e-3
+    (tmp_path / "mapping.toml").write_text(text.replace('"pattern", ', '"pattern", scale = -1, '))
+    assert run(tmp_path / "mapping.toml", "--out", tmp_path / "turned") == 0
+    capsys.readouterr()
+    bench = ["bench", "fixed-position", "--campaign", tmp_path / "turned", "--out", tmp_path / "b"]
+    assert main([*map(str, bench)]) == 0
+    assert (
+        "warning: a diagnosis would refuse these records: campaign.json: nominal.c"
+        in capsys.readouterr().err
+    )
+
+
+def fill_in(draft: Path) -> None:
+    """Give what only the laboratory knows."""
+    draft.write_text(draft.read_text().replace('latitude_deg = "edit"', "latitude_deg = 45.0"))
 
 
 def test_a_draft_of_guesses_is_accepted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    rows = [f"{t};{0.003 * t:.4f};{-0.8 * 0.003 * t:.4f};21;x" for t in range(1, 300)]
-    text = "\n".join(["t [s];Omega_deg;Theta (mrad);T;remark", *rows]).replace(".", ",")
-    (tmp_path / "still.csv").write_text(text)
-    (tmp_path / "rate_1.csv").write_text(text.replace("Omega_deg", "gyro_rate_deg_s"))
+    t = np.arange(1, 300)
+    columns = {"t [s]": t, "Omega_deg": 0.003 * t, "Theta (mrad)": -4.83 * 0.003 * t, "T": 21}
+    frame = pd.DataFrame({**columns, "remark": "x"})
+    rates = frame.rename(columns={"Omega_deg": "gyro_rate_deg_s"}).assign(gyro_rate_deg_s=0.003)
+    for name, part in (("still", frame), ("rate_1", rates)):
+        part.to_csv(tmp_path / f"{name}.csv", sep=";", decimal=",", index=False)
     out = tmp_path / "draft" / "mapping.toml"
     out.parent.mkdir()
     logs = [str(tmp_path / name) for name in ("still.csv", "rate_1.csv")]
@@ -142,6 +167,9 @@ def test_a_draft_of_guesses_is_accepted(tmp_path: Path, capsys: pytest.CaptureFi
     assert draft["columns"]["temperature"] == {"column": "T", "unit": "degC"}
     assert (rate["kind"], rate["columns"]["gyro_angle"]["integrate"]) == ("rate", "means")
     assert "# not used: remark" in out.read_text()
+    assert run(out, "--check") == 2
+    assert "site.latitude_deg: found 'edit', expected a number" in capsys.readouterr().err
+    fill_in(out)
     assert run(out, "--check") == 0
     assert main(["campaign", "init", *logs, "--out", str(out)]) == 2
     assert "found a file, expected none" in capsys.readouterr().err
@@ -169,6 +197,7 @@ def test_a_draft_of_another_laboratorys_logs_needs_no_edit(
     assert [test["id"] for test in draft["tests"]] == ["rate_5_1", "rate_5_2", "rate-5"]
     assert "absent" in draft["tests"][1]
     assert "not used" not in out.read_text().partition("[layout]")[2]
+    fill_in(out)
     imported = import_campaign(out).campaign
     whole, short = (test.log for test in imported.tests[:2])
     assert whole.time[0] == 1.0
@@ -220,10 +249,27 @@ def test_the_documented_example_is_drafted(mapping: Path) -> None:
     """A clock's times, a row of units below the names, a decimal comma."""
     out = mapping.parent / "draft.toml"
     assert main(["campaign", "init", str(mapping.parent / "table.csv"), "--out", str(out)]) == 0
+    fill_in(out)
     drafted, stated = (import_campaign(path).campaign.tests[0].log for path in (out, mapping))
     for field in ("time", "temperature", "gyro_angle", "wave_angle", "axis_up", "drive_on"):
         np.testing.assert_array_equal(getattr(drafted, field), getattr(stated, field), field)
     assert drafted.table_angle == pytest.approx(stated.table_angle)
+
+
+def test_a_kind_is_guessed_by_the_table_and_times_by_their_evenness(tmp_path: Path) -> None:
+    seconds = np.arange(1.0, 401.0)
+    turned = {"rest": 0 * seconds, "eins": 5.0 * seconds, "zwei": 20.0 * (seconds // 50)}
+    for name, angle in turned.items():
+        frame = pd.DataFrame({"n [s]": seconds, "Musterwinkel [deg]": -0.277 * angle})
+        frame["Drehtisch [deg]"], frame["Winkel [deg]"] = angle % 360, angle
+        frame.to_csv(tmp_path / f"{name}.csv", index=False)
+    (tmp_path / "untimed.csv").write_text("gyro\n1\n2\n")
+    logs = [tmp_path / f"{name}.csv" for name in (*turned, "untimed")]
+    draft = tomllib.loads(draft_mapping(logs, tmp_path))
+    assert [test["kind"] for test in draft["tests"]] == ["static", "rate", "positions", "static"]
+    assert draft["columns"]["time"] == {"column": "n [s]", "unit": "s"}
+    assert draft["columns"]["wave_angle"]["column"] == "Musterwinkel [deg]"
+    assert [test.get("interval_s") for test in draft["tests"]] == [None, None, None, "edit"]
 
 
 def test_a_log_without_a_header_is_not_drafted(

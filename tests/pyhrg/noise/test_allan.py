@@ -5,6 +5,7 @@ from typing import Any
 import allantools
 import numpy as np
 import pytest
+import xarray as xr
 from scipy.stats import binom
 
 from pyhrg.common.errors import HrgError
@@ -91,6 +92,10 @@ def test_frame_of_rates_and_angles_is_the_estimate() -> None:
     assert of_rates["deviation"].to_numpy() == pytest.approx(estimate.deviation, rel=1e-9)
     assert of_rates["low_95"].to_numpy() == pytest.approx(estimate.low, rel=1e-6)
     assert list(of_rates.attrs["units"]) == list(of_rates.columns)
+    assert of_rates.attrs["units"]["deviation"] == "unit of the rates"
+    labelled = xr.DataArray(angle, attrs={"units": "rad"})
+    of_labelled = allan_deviation(labelled, 0.5, kind="angle", per_octave=2)
+    assert of_labelled.attrs["units"]["deviation"] == "rad/s"
 
 
 @pytest.mark.parametrize(

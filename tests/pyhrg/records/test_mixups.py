@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyhrg.common.units import DEG
+from pyhrg.common.units import DEG, HOUR
 from pyhrg.records import Log, LogError, read_log, write_log
 from tests.pyhrg.records.made_up import LATITUDE, K, made_up_log
 
@@ -49,8 +49,14 @@ def locked() -> Log:
     return replace(log, table_angle=creeping, gyro_angle=still, wave_angle=0.5 - K * still)
 
 
+def held() -> Log:
+    """A loop holds the pattern in place; what is left of its motion is noise."""
+    wave = 0.5 + 1e-4 * np.random.default_rng(4).normal(size=600)
+    return replace(made_up_log(), wave_angle=wave)
+
+
 HONEST: list[Callable[[], Log]] = [
-    *(made_up_log, virtually_rotated, ringing_down, level, locked),
+    *(made_up_log, virtually_rotated, ringing_down, level, locked, held),
     lambda: made_up_log(table_rate=0.01 * DEG),
     lambda: made_up_log(table_rate=-100 * DEG),
 ]
@@ -63,7 +69,7 @@ def test_what_a_bench_does_passes(tmp_path: Path, log: Callable[[], Log]) -> Non
 
 @pytest.mark.parametrize("rate", [-100.0, -2.0, 2.0, 100.0])
 @pytest.mark.parametrize("field", ["gyro_angle", "table_angle"])
-@pytest.mark.parametrize("factor", [DEG, 1 / DEG])
+@pytest.mark.parametrize("factor", [DEG, 1 / DEG, HOUR])
 def test_gyro_is_held_to_the_table(tmp_path: Path, rate: float, field: str, factor: float) -> None:
     log = scaled(made_up_log(table_rate=rate * DEG), factor, field)
     with pytest.raises(LogError, match=r"gyro_angle_deg: turns .* times as far as table_angle"):
@@ -78,6 +84,17 @@ def test_wave_is_held_to_the_gyro(tmp_path: Path, make: Callable[[], Log], field
         field = "virtual_rotation"
     with pytest.raises(LogError, match=r"log.csv: column wave_angle_deg: turns .*Bryan factor"):
         read_back(scaled(make(), DEG, field), tmp_path)
+
+
+@pytest.mark.parametrize("factor", [HOUR, 1 / HOUR])
+def test_an_angle_of_rates_per_hour_for_per_second_is_told(tmp_path: Path, factor: float) -> None:
+    """By the pattern, and by Earth's rate where no pattern was logged."""
+    log = scaled(made_up_log(), factor, "gyro_angle")
+    with pytest.raises(LogError, match="is a rate per hour given where one per second is meant"):
+        read_back(log, tmp_path)
+    alone = replace(log, wave_angle=np.full(600, np.nan))
+    with pytest.raises(LogError, match=r"times as far as Earth's rate.*: is a rate per hour"):
+        read_back(alone, tmp_path)
 
 
 @pytest.mark.parametrize("make", [made_up_log, virtually_rotated])

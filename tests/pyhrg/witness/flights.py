@@ -6,7 +6,14 @@ from dataclasses import replace
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, YEAR
+from pyhrg.common.units import (
+    ARCSEC,
+    DEG,
+    DEG_PER_H,
+    DEG_PER_SQRT_H,
+    STANDARD_GRAVITY,
+    YEAR,
+)
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
 from pyhrg.records.columns import COLUMNS
@@ -55,10 +62,12 @@ GYRO = Device(
     },
 )
 """A gyro like those of the study whose maps are calibrated: a map of 0.6 deg/h."""
-PRIOR = make_drift_prior(GYRO, YEAR / 2, 0.02, 0.05, temperature_rate_bias=0.06 * DEG_PER_H)
-LINEAR_PRIOR = make_drift_prior(
-    GYRO, YEAR / 2, 0.02, 0.05, temperature_rate_bias=0.06 * DEG_PER_H, cubic=0.0
-)
+UNMEASURED = {
+    "temperature_rate_bias": 0.06 * DEG_PER_H,
+    "specific_force_bias": 4e-4 * DEG_PER_H / STANDARD_GRAVITY,
+}
+PRIOR = make_drift_prior(GYRO, YEAR / 2, 0.02, 0.05, **UNMEASURED)
+LINEAR_PRIOR = make_drift_prior(GYRO, YEAR / 2, 0.02, 0.05, **UNMEASURED, cubic=0.0)
 """The same, with pick-offs whose cubic term is known."""
 
 
@@ -79,11 +88,12 @@ def rotate_virtually(time: Array) -> Array:
 def fly(
     fmu: GyroFmu, device: Device, duration: float, seed: int, *, self_test: bool = False
 ) -> Log:
-    """The log of a flight of a warming gyro, s."""
+    """The log of a flight of a warming gyro, s, whose input axis points down."""
     time = np.arange(0.0, duration, INTERVAL)
     steps = round(INTERVAL / CONTROL_PERIOD)
     inner = time[:, None] + INTERVAL / steps * (np.arange(steps) + 0.5)
     rotation = rotate_virtually(time) if self_test else np.zeros_like(time)
+    weight = np.full(len(time), -STANDARD_GRAVITY)
     moving = {
         "angularRate": np.where(inner < 120, 0.0, weave(inner)) + 7e-5,
         "caseTemperature": device.reference_temperature + RISE * (1 - np.exp(-inner / 300)),
@@ -91,7 +101,7 @@ def fly(
     with fmu.power_on(device.fmu_parameters(), seed, 0.4 + 0.1 * seed) as gyro:
         ends, means = gyro.record(
             moving,
-            {"virtualRotation": rotation},
+            {"virtualRotation": rotation, "accelerationZ": weight},
             INTERVAL / steps,
             ["gyroAngle", "patternAngle"],
             FORCES,
@@ -100,6 +110,7 @@ def fly(
     recorded = {
         "time": time + INTERVAL,
         "virtual_rotation": rotation,
+        "acceleration_z": weight,
         "gyro_angle": ends[:, 0],
         "wave_angle": ends[:, 1],
         "amplitude_force": means[:, 0],

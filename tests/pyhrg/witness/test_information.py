@@ -18,7 +18,7 @@ from pyhrg.witness.information import (
     compute_posterior,
 )
 from pyhrg.witness.mechanisms import COUNT, find
-from pyhrg.witness.responses import TERMS, Motion, Responses, evaluate_angles
+from pyhrg.witness.responses import TERMS, Motion, Responses, evaluate_angles, stack_signals
 from tests.pyhrg.witness.flights import GYRO, LINEAR_PRIOR
 
 DURATION = 600.0
@@ -31,7 +31,7 @@ def move(rate: float | Array, rotation: float | Array = 0.0) -> Motion:
     time = np.arange(0.0, DURATION, ROW)
     w, v = (np.broadcast_to(each, time.shape) for each in (rate, rotation))
     angle = 0.3 + ROW * GYRO.bryan_factor * np.cumsum(v - w)
-    return Motion(ROW, angle, w, v, 0 * time, 0 * time)
+    return Motion(ROW, angle, w, v, 0 * time, stack_signals(0 * time))
 
 
 def alternate(size: float) -> Array:

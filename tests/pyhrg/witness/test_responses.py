@@ -64,6 +64,17 @@ def test_heating_of_the_case(responses: Responses) -> None:
     assert np.abs(responses.forces[place, 0, 0, ROTATED, 0]) > 10
 
 
+def test_specific_force(responses: Responses) -> None:
+    """The bias per specific force is what its name says, and a pick-off's gain acts as without
+    it."""
+    bias, gain = find("bias per specific force"), find("pick-off gain per specific force")
+    assert responses.output[bias, 0, REST, 0] == pytest.approx(1.0, rel=0.01)
+    for found in (responses.output, responses.forces):
+        assert found[gain] == pytest.approx(
+            found[find("pick-off gain mismatch")], rel=0.01, abs=1e-3 * np.abs(found[gain]).max()
+        )
+
+
 def test_the_bias_is_the_slope_of_the_amplitude_force() -> None:
     """B = (1/8k) dG/dth, whatever of damping and electrodes makes it."""
     device = replace(GYRO, phase_error=0.0)

@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS, BiasTest
+from pyhrg.bench.bias.position.positions import estimate_within
 from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.procedure import Procedure, require_tests
@@ -58,6 +59,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         ),
         tables=(result.table(),),
         draw=lambda figure: draw(figure, runs),
+        points=result.tabulate_points(estimate_within("", runs)),
     )
 
 

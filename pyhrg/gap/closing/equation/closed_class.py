@@ -223,8 +223,7 @@ def _write_equations(
     lines = [f"  {name} = {COORDINATES[name][2]};" for name in used if name in COORDINATES]
     if "amplitudeExcess" in used:
         lines.append(
-            "  amplitudeExcess = (driveOn*amplitudeSetpoint"
-            " + (1 - driveOn)*sqrt(gyro.amplitude^2 + gyro.quadrature^2))"
+            "  amplitudeExcess = sqrt(gyro.amplitude^2 + gyro.quadrature^2)"
             f"/{device.amplitude!r} - 1;"
         )
     if "started" in used:

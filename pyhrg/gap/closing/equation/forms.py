@@ -77,11 +77,15 @@ class Basis:
 def express_term(term: CandidateTerm) -> tuple[Basis, ...]:
     """Basis functions of a term in the order of its columns; none if it can't be written: a value
     for each power-on."""
-    function = re.sub("^[a-z -]+: ", "", term.function)
+    bases = _express(re.sub("^[a-z -]+: ", "", term.function))
+    return _count_from_start(bases) if term.is_encoder_error else bases
+
+
+def _express(function: str) -> tuple[Basis, ...]:
+    """Basis functions of a function in words; none if it can't be written."""
     for pattern, make in _FORMS:
         if match := re.fullmatch(pattern, function):
-            bases = make(match)
-            return _count_from_start(bases) if term.is_encoder_error else bases
+            return make(match)
     return ()
 
 
@@ -92,25 +96,17 @@ def _count_from_start(bases: tuple[Basis, ...]) -> tuple[Basis, ...]:
     return replace(cosine, text=text, modelica=modelica), sine
 
 
-def _angle(coordinate: Coordinate, harmonic: int, factor: Basis | None = None) -> tuple[Basis, ...]:
-    """Cosine and sine of a harmonic of an angle, each times a factor."""
+def _angle(coordinate: Coordinate, harmonic: int) -> tuple[Basis, ...]:
+    """Cosine and sine of a harmonic of an angle."""
     name = coordinate.name
     shown = {"pattern": "theta", "tableAngle": "psi"}[name]
     of = f"{harmonic}*{name}" if harmonic != 1 else name
     text = f"{harmonic} {shown}" if harmonic != 1 else shown
-    uses = (name, *(factor.uses if factor else ()))
+    ending = "_table" if coordinate is TABLE else ""
     return tuple(
-        Basis(
-            f"{f}{harmonic}" + ("_table" if coordinate is TABLE else "")
-            + (f"_{factor.stem}" if factor else ""),
-            f"{f}({text})" + (f" {factor.text}" if factor else ""),
-            f"{f}({of})" + (f"*{factor.modelica}" if factor else ""),
-            factor.scale if factor else 1.0,
-            factor.per if factor else "",
-            uses,
-        )
+        Basis(f"{f}{harmonic}{ending}", f"{f}({text})", f"{f}({of})", 1.0, "", (name,))
         for f in ("cos", "sin")
-    )  # fmt: skip
+    )
 
 
 def _power(coordinate: Coordinate, stem: str, power: int, unit_scale: float) -> Basis:
@@ -129,26 +125,26 @@ def _single(coordinate: Coordinate, stem: str, expression: str, scale: float, pe
 
 Match = re.Match[str]
 _TENTH = 1 / TERM_SCALE
-_WARM = _power(WARMTH, "temperature", 1, _TENTH)
 
 
 def _rate_power(words: str) -> int:
     return {"": 1, " squared": 2, " cubed": 3}[words]
 
 
-def _force_power(axis: str, words: str) -> Basis:
-    return _power(FORCES[axis], f"acceleration_{axis}", _rate_power(words), _TENTH)
-
-
-def _times_warmth(basis: Basis) -> Basis:
-    """A basis function times the temperature of the resonator."""
-    return Basis(
-        f"{basis.stem}_{_WARM.stem}",
-        f"{basis.text} {_WARM.text}",
-        f"{basis.modelica}*{_WARM.modelica}",
-        basis.scale * _WARM.scale,
-        f"{basis.per}_K",
-        (*basis.uses, *_WARM.uses),
+def _multiply(match: Match) -> tuple[Basis, ...]:
+    """Basis functions times that of a second function."""
+    words = {"temperature": "temperature^1"}.get(match[3], match[3])
+    (second,) = _express((match[2] or "") + words)
+    return tuple(
+        Basis(
+            f"{first.stem}_{second.stem}",
+            f"{first.text} {second.text}",
+            f"{first.modelica}*{second.modelica}",
+            first.scale * second.scale,
+            "_".join(per for per in (first.per, second.per) if per),
+            (*first.uses, *second.uses),
+        )
+        for first in _express(match[1])
     )
 
 
@@ -169,23 +165,16 @@ def _raise(basis: Basis, power: int) -> Basis:
 
 
 def _raise_function(match: Match) -> tuple[Basis, ...]:
-    term = CandidateTerm("", "", match[2])
-    return tuple(_raise(basis, int(match[1])) for basis in express_term(term))
+    return tuple(_raise(basis, int(match[1])) for basis in _express(match[2]))
 
 
 _FORMS: tuple[tuple[str, Callable[[Match], tuple[Basis, ...]]], ...] = (
+    (r"(.*), times (power \d of )?(?:the )?(.*)", _multiply),
     (r"power (\d) of (.*)", _raise_function),
     ("mean over the pattern angle", lambda m: (Basis("mean", "1", "1", 1.0, "", ()),)),
     (r"harmonic (\d+) of the pattern angle", lambda m: _angle(PATTERN, int(m[1]))),
     (r"harmonic (\d+) of the table angle", lambda m: _angle(TABLE, int(m[1]))),
-    (
-        r"harmonic (\d+) of the pattern angle, times the rate",
-        lambda m: _angle(PATTERN, int(m[1]), _power(TURN, "rate", 1, DEG)),
-    ),
     (r"temperature\^(\d)", lambda m: (_power(WARMTH, "temperature", int(m[1]), _TENTH),)),
-    ("temperature, 4th harmonic", lambda m: _angle(PATTERN, 4, _WARM)),
-    (r"harmonic (\d+) of the pattern angle, times the temperature",
-     lambda m: _angle(PATTERN, int(m[1]), _WARM)),
     ("temperature of the case", lambda m: (_power(CASE, "case_temperature", 1, _TENTH),)),
     (r"temperature with a hysteresis of (\d+) K",
      lambda m: (Basis(f"hysteresis{m[1]}K", f"play{m[1]}", f"play{m[1]}", _TENTH, "K",
@@ -206,19 +195,13 @@ _FORMS: tuple[tuple[str, Callable[[Match], tuple[Basis, ...]]], ...] = (
     ("rate times its magnitude",
      lambda m: (_single(TURN, "rate_signed_square", "turnRate*abs(turnRate)", DEG**2,
                         "deg2_s2"),)),
-    ("rate, times the temperature", lambda m: (_times_warmth(_power(TURN, "rate", 1, DEG)),)),
     ("commanded rotation", lambda m: (_power(COMMANDED, "commanded_rotation", 1, DEG),)),
     ("magnitude of the commanded rotation",
      lambda m: (_single(COMMANDED, "commanded_rotation_magnitude", "abs(commandedRate)", DEG,
                         "deg_s"),)),
-    (r"acceleration ([xyz])( squared|)", lambda m: (_force_power(m[1], m[2]),)),
+    (r"acceleration ([xyz])( squared|)",
+     lambda m: (_power(FORCES[m[1]], f"acceleration_{m[1]}", _rate_power(m[2]), _TENTH),)),
     (r"acceleration ([xyz]) times ([xyz])", _product),
-    (r"acceleration ([xyz]), times the temperature",
-     lambda m: (_times_warmth(_force_power(m[1], "")),)),
-    (r"harmonic (\d+) of the pattern angle, times acceleration ([xyz])( squared|)",
-     lambda m: _angle(PATTERN, int(m[1]), _force_power(m[2], m[3]))),
-    (r"harmonic (\d+) of the pattern angle, times the amplitude",
-     lambda m: _angle(PATTERN, int(m[1]), _power(STRETCH, "amplitude", 1, 1.0))),
     ("amplitude", lambda m: (_power(STRETCH, "amplitude", 1, 1.0),)),
     ("amplitude squared",
      lambda m: (Basis("amplitude2", "((1 + amplitudeExcess)^2 - 1)",

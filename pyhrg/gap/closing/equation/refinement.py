@@ -124,8 +124,8 @@ def _linearize(
     for channel in residual:
         residual[channel] = residual[channel] + compute_response(around.where, channel, sizes)
     turned = residual["gyro_angle"] - around.residual["gyro_angle"]
-    for term, values in build_reading_columns(around.where, sizes):
-        turned = turned - values @ sizes[term]
+    for term, values in build_reading_columns(around.where, ()):
+        turned = turned - values @ sizes[term] if term in sizes else turned
     for channel in residual:
         if channel != "gyro_angle":
             slope = around.bryan_factor * around.slopes[channel]

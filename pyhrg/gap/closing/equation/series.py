@@ -10,7 +10,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.polynomial import chebyshev
 
 from pyhrg.common.arrays import Array
 from pyhrg.gap.closing.equation.forms import express_term
@@ -119,17 +118,20 @@ def _select_forms(
 
 def expand_form(form: Form) -> Iterator[tuple[CandidateTerm, float]]:
     """Terms, and their sizes for a size of 1 of a form; none if it can't be written."""
-    if form.degree == 1:
-        if express_term(form.term):
-            yield form.term, 1 / form.largest
-    elif form.size == 1:
-        place, colon, function = form.function.rpartition(": ")
-        powers = chebyshev.cheb2poly(np.eye(form.degree + 1)[form.degree])
-        for power in (p for p in range(1, form.degree + 1) if powers[p]):
-            words = function if power == 1 else f"power {power} of {function}"
-            term = replace(form.term, function=place + colon + words)
-            yield term, float(powers[power]) / form.largest**power
-    elif form.harmonic and not form.is_product:
-        multiple = form.degree * form.harmonic
+    if form.is_multiple:
+        multiple = form.degree * (form.harmonic or 0)
         words = re.sub(r"harmonic \d+", f"harmonic {multiple}", form.function)
         yield CandidateTerm(form.channel, form.coordinate, words, multiple), 1 / form.largest
+    elif express_term(form.term):
+        for power, weight in enumerate(form.polynomial, 1):
+            if weight:
+                size = float(weight) / form.largest / form.reach ** (power - 1)
+                yield replace(form.term, function=_raise_words(form, power)), size
+
+
+def _raise_words(form: Form, power: int) -> str:
+    """A form's function with a power of what is bent."""
+    if power == 1:
+        return form.function
+    before, separator, function = form.function.rpartition(", times " if form.second else ": ")
+    return f"{before}{separator}power {power} of {function}"

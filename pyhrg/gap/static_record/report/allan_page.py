@@ -40,8 +40,8 @@ def build_allan_page(noise: RecordNoise) -> str:
 
 
 def _build_section(each: ChannelNoise) -> str:
-    name, kind = html.escape(each.channel.name), each.channel.kind
-    figure = draw_fitted_noise(each.deviation, each.noise, each.ramp.value, kind)
+    name = html.escape(each.channel.name)
+    figure = draw_fitted_noise(each)
     caption = f"{each.deviation.n} readings every {each.channel.interval:g} s"
     table = Table(caption, ("", "Value, 95 % interval", "Unit", "Key"), tuple(each.rows))
     return (

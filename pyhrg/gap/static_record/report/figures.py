@@ -5,17 +5,26 @@ from collections.abc import Callable
 
 import matplotlib
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyhrg.common.arrays import Array
+from pyhrg.gap.static_record.allan import ChannelNoise
+from pyhrg.gap.static_record.allan_figure import (
+    AFTER,
+    MEASURED,
+    plot_deviation,
+    plot_fitted_noise,
+    scale_axes,
+)
 from pyhrg.gap.static_record.fit.diagnosis import ChannelDiagnosis
 from pyhrg.gap.static_record.terms import Kind
 from pyhrg.noise.allan import AllanDeviation, estimate_allan_deviation
 from pyhrg.noise.coefficients import Coefficient, NoiseCoefficients, compute_allan_deviation
 from pyhrg.noise.likelihood import compute_spectrum
 
-MEASURED, BEFORE, AFTER = "#0072b2", "#555555", "#d55e00"
+BEFORE = "#555555"
+SIZE = (6.4, 4.2)
+"""Width and height of a figure, inches."""
 
 
 def draw_allan_deviation(d: ChannelDiagnosis) -> str:
@@ -32,26 +41,18 @@ def draw_allan_deviation(d: ChannelDiagnosis) -> str:
     return _finish(d, figure, measured.tau, model)
 
 
-def draw_fitted_noise(
-    measured: AllanDeviation, noise: NoiseCoefficients, ramp: float, kind: Kind
-) -> str:
-    """Allan deviation with 95 % intervals, and that of the noise and the rate ramp (SI) fitted to
-    the record."""
-    figure = plot_measured_allan(measured, kind)
-    (axes,) = figure.axes
-    drift = ramp * measured.tau / np.sqrt(2)
-    fitted = np.hypot(compute_allan_deviation(measured.tau, noise), drift) / kind.rate_scale
-    axes.plot(measured.tau, fitted, "-", color=AFTER, label="fitted noise and rate ramp")
+def draw_fitted_noise(each: ChannelNoise) -> str:
+    """Allan deviation with 95 % intervals, and that of the noise and the rate ramp fitted to the
+    record."""
+    figure = plot_measured_allan(each.deviation, each.channel.kind)
+    plot_fitted_noise(figure.axes[0], each.deviation.tau, each.noise, each.ramp, each.channel.kind)
     return _render(figure)
 
 
 def plot_measured_allan(measured: AllanDeviation, kind: Kind) -> Figure:
     """A figure of the Allan deviation with its 95 % intervals."""
-    scale = kind.rate_scale
-    figure, axes = _make_axes("cluster time, s", f"Allan deviation, {kind.rate_unit}")
-    low, high = measured.low / scale, measured.high / scale
-    axes.fill_between(measured.tau, low, high, color=MEASURED, alpha=0.2, lw=0)
-    axes.plot(measured.tau, measured.deviation / scale, "o", ms=3, color=MEASURED, label="measured")
+    figure = Figure(figsize=SIZE, layout="constrained")
+    plot_deviation(figure.add_subplot(), measured, kind)
     return figure
 
 
@@ -68,19 +69,12 @@ def draw_spectrum(d: ChannelDiagnosis) -> str:
     def model(levels: Array) -> Array:
         return np.asarray(np.sqrt(2 * gain * ((levels / d.units) ** 2 @ bands.shapes)) / scale)
 
-    figure, axes = _make_axes(
-        "frequency, Hz", f"density of the rate, {d.channel.kind.rate_unit}/sqrt(Hz)"
-    )
+    figure = Figure(figsize=SIZE, layout="constrained")
+    axes = figure.add_subplot()
+    scale_axes(axes, "frequency, Hz", f"density of the rate, {d.channel.kind.rate_unit}/sqrt(Hz)")
     measured = np.sqrt(2 * gain * spectrum.power / bands.count) / scale
     axes.plot(hertz, measured, ".", ms=3, color=MEASURED, label="measured")
     return _finish(d, figure, hertz, model)
-
-
-def _make_axes(x: str, y: str) -> tuple[Figure, Axes]:
-    figure = Figure(figsize=(6.4, 4.2), layout="constrained")
-    axes = figure.add_subplot(xscale="log", yscale="log", xlabel=x, ylabel=y)
-    axes.grid(which="both", alpha=0.2)
-    return figure, axes
 
 
 def _finish(d: ChannelDiagnosis, figure: Figure, x: Array, model: Callable[[Array], Array]) -> str:

@@ -10,7 +10,7 @@ from ins_eval.mission_model.missions import STILL
 from ins_eval.mission_model.signals import ENVIRONMENT, compute_case_warmth, slice_coefficients
 from ins_eval.study.gyros.true_maps import read_flight_coefficients
 from ins_eval.study.witness.told_map import ToldMap, compute_angle_errors, tell_map
-from pyhrg.common.units import DEG_PER_H
+from pyhrg.common.units import DEG_PER_H, STANDARD_GRAVITY
 from pyhrg.fmu import GyroFmu
 from pyhrg.witness.mechanisms import COUNT, change_device, find, read_values
 from pyhrg.witness.responses import Responses, measure_responses
@@ -20,6 +20,8 @@ RISE, STEP = 8.0, 0.01
 FLOWN = replace(
     change_device(GYRO, draw_changes(PRIOR, np.random.default_rng(2))).without_noise(),
     bias_per_temperature_rate=1e-4,
+    bias_per_acceleration=0.02 * DEG_PER_H / STANDARD_GRAVITY,
+    pickoff_gain_per_acceleration=2e-5 / STANDARD_GRAVITY,
 )
 
 
@@ -45,20 +47,23 @@ def test_they_are_those_of_the_gyro(slow_fmu: GyroFmu, told: ToldMap) -> None:
 
 
 def test_a_flight_is_corrected(fmu: GyroFmu, told: ToldMap) -> None:
-    """What the maps make of the increments of ten minutes of a warming gyro that weaves, and what
-    is left: a hundredth."""
+    """What the maps make of the increments of ten minutes of a warming gyro that weaves and sways,
+    and what is left: a hundredth."""
     time = STEP * np.arange(60_001) - STILL
     rate = weave(time[:-1] + STILL)
+    sway = np.sin(2 * np.pi * (time[:-1] + STILL) / 150)
+    force = STANDARD_GRAVITY * np.stack([0.3 * sway, 0 * sway, 1 + 0.1 * sway], axis=1)
     moving = {
         "angularRate": rate[:, None],
         "caseTemperature": GYRO.reference_temperature
         + RISE * compute_case_warmth(time[:-1])[:, None],
     }
     with fmu.power_on(FLOWN.fmu_parameters(), 0, 0.7) as gyro:
-        ends, _ = gyro.record(moving, {}, STEP, ["gyroAngle", "patternAngle"])
+        held = {f"acceleration{name}": force[:, i] for i, name in enumerate("XYZ")}
+        ends, _ = gyro.record(moving, held, STEP, ["gyroAngle", "patternAngle"])
     pattern = np.concatenate([[0.7], ends[:, 1]])
     rotation = np.diff(ends[:, 0], prepend=0.0)
-    errors = compute_angle_errors(told, pattern, time, rotation)
+    errors = compute_angle_errors(told, pattern, time, rotation, force)
     begin = round(100 / STEP)
     error = np.cumsum((rotation - STEP * rate)[begin:])
     left = error - np.cumsum(errors[begin:])

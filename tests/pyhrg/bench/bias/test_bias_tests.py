@@ -68,6 +68,13 @@ def test_map_and_tilt_are_recovered(slow_fmu: GyroFmu) -> None:
     for name in fitted.names:
         wanted = expected.get(name, 0.0)
         assert fitted.value(name) == pytest.approx(wanted, abs=2e-5 * DEG_PER_H), name
+    points = full_circumference.evaluate(campaign).points
+    assert list(points.attrs["units"]) == list(points.columns)
+    theta = 4 * DEG * points["pattern_angle_deg"]
+    on_map = expected["mean"] + expected["cos4"] * np.cos(theta) + expected["sin4"] * np.sin(theta)
+    without_tilt = points["bias_without_tilt_deg_per_h"].to_numpy()
+    assert without_tilt == pytest.approx(on_map.to_numpy() / DEG_PER_H, abs=5e-4)
+    assert np.ptp(points["bias_deg_per_h"] - without_tilt) > tilt / DEG_PER_H
 
 
 def test_eight_positions_can_not_show_the_eighth_harmonic(slow_fmu: GyroFmu) -> None:

@@ -25,7 +25,7 @@ def test_two_effects_are_found_behind_one_term() -> None:
     small = 20 * (columns[:, 0] - columns[:, 1]) / np.linalg.norm(columns[:, 0] - columns[:, 1])
     large = 500 * (columns[:, 2] + columns[:, 3])
     others = generator.standard_normal((ROWS, len(terms))) / np.sqrt(ROWS)
-    others[:, 0] = small / 20 + 0.3 * others[:, 0]
+    others[:, 0] = small / 20 + 0.4 * others[:, 0]
     all_columns = np.column_stack([columns, others / np.linalg.norm(others, axis=0)])
     residual = small + large + generator.standard_normal(ROWS)
     groups = {group: np.array([i]) for i, group in enumerate((*effects, *terms))}
@@ -34,10 +34,20 @@ def test_two_effects_are_found_behind_one_term() -> None:
         all_columns.T @ residual,
         float(residual @ residual),
         groups,
-        np.ones(len(groups)),
+        np.full(len(groups), 1e5),  # 20 sigma are a typical size
         (),
     )
     assert set(rank_sets(design).best.groups) == set(effects[:4])
+
+
+def test_a_swarm_of_effects_does_not_keep_a_term_out() -> None:
+    """As many effects as a set may have explain most of what the term alone explains."""
+    generator = np.random.default_rng(3)
+    term = CandidateTerm("quadrature_force", "time", "")
+    column = generator.standard_normal((ROWS, 1))
+    columns = {e: column + 1.7 * generator.standard_normal((ROWS, e.size)) for e in DETERMINISTIC}
+    residual = 15 * column[:, 0] + generator.standard_normal(ROWS)
+    assert rank_sets(design_of({**columns, term: column}, residual)).best.groups == (term,)
 
 
 def test_required_groups_are_in_every_set() -> None:

@@ -40,6 +40,10 @@ def test_what_was_put_in_comes_out(log: Path) -> None:
     assert gyro.bias.low < SITE_RATE < gyro.bias.high
     assert gyro.bias.high - gyro.bias.low < 2 * DEG_PER_H
     assert (noise.deviations["unit"] == "deg/h").all()
+    assert list(noise.deviations.attrs["units"]) == list(noise.deviations.columns)
+    (axes,) = noise.plot()
+    assert axes.get_ylabel() == "Allan deviation, deg/h"
+    assert len(axes.lines) == 2
     first = noise.deviations.iloc[0]
     expected = WALK / INTERVAL**0.5 / DEG_PER_H
     assert first["low_95"] < expected < first["high_95"]

@@ -67,8 +67,11 @@ def plant_electrode_error(
             angle = find_ideal_pattern_angle(NOMINAL, course, start)
             level = course.each("amplitude_setpoint") / NOMINAL.amplitude
             before = np.vstack([np.ones_like(level[:1]), level[:-1]])
-            growth = GROWTH + np.log(level / before) / course.interval
-            return np.asarray(unit * shape(angle, level) * growth * course.each("drive_on"))
+            change = np.log(level / before) / course.interval
+            middle = shape(angle, np.sqrt(before * level))
+            mean = (shape(angle, before) + 4 * middle + shape(angle, level)) / 6  # of the change
+            pushed = shape(angle, level) * GROWTH + mean * change
+            return np.asarray(unit * pushed * course.each("drive_on"))
 
         def show(log: Log) -> Log:
             return shift_angle(log, unit * shape(log.wave_angle, log.amplitude))

@@ -1,0 +1,43 @@
+"""What is wrong with a user's class file and the Modelica compiler doesn't tell."""
+
+import re
+from pathlib import Path
+
+from fmu_build.equations.modelica import STRING
+from pyhrg.common.errors import HrgError
+from pyhrg.common.reading.files import decode, read_bytes
+from pyhrg.common.reading.limits import DOCUMENT_BYTES
+
+COMMENT = r"//[^\n]*|/\*.*?\*/"
+CLASS = re.compile(r"^\s*(?:(?:partial|final|encapsulated)\s+)*(?:model|class|block)\s+(\w+)", re.M)
+DOTTED_MODIFIER = re.compile(r"[(,]\s*(?:(?:each|final)\s+)*(\w+)\.(\w+(?:\.\w+)*)\s*=(?!=)")
+
+
+def check_class_file(file: Path) -> None:
+    """Refuse a file that does not hold the class of its name, and a modifier by a dotted name: it
+    is legal, and the compiler drops it.
+
+    Raises:
+        HrgError: names the file, the row, what was found and what was expected.
+    """
+    text = decode(file, read_bytes(file, DOCUMENT_BYTES), "utf-8")
+    code = re.sub(f"{STRING}|{COMMENT}", _blank, text, flags=re.DOTALL)
+    classes = CLASS.findall(code)
+    if classes and file.stem not in classes:
+        raise HrgError(
+            f"{file}: found the class {classes[0]}, expected {file.stem}: a file has the name of "
+            f"its class, {classes[0]}.mo"
+        )
+    if dotted := DOTTED_MODIFIER.search(code):
+        first, rest = dotted.groups()
+        nested = f"{first}({rest.replace('.', '(')} = ...{')' * rest.count('.')})"
+        row = code.count("\n", 0, dotted.start(1)) + 1
+        raise HrgError(
+            f"{file}, row {row}: found a modifier by the dotted name {first}.{rest}, which the "
+            f"compiler would drop; expected {nested}"
+        )
+
+
+def _blank(match: re.Match[str]) -> str:
+    """Rows stay where they were."""
+    return " " + "\n" * match[0].count("\n")

@@ -121,7 +121,8 @@ def rank_sets(
 
     everything = range(len(groups))
     climb(everything, climb(named, starts))
-    climb(everything, starts)
+    if len(max(fits, key=lambda key: fits[key][1])) >= MAX_GROUPS:  # it could not be extended
+        climb(everything, starts)
     return _normalize(list(fits.values()))
 
 

@@ -40,6 +40,16 @@ def test_two_effects_are_found_behind_one_term() -> None:
     assert set(rank_sets(design).best.groups) == set(effects[:4])
 
 
+def test_a_swarm_of_effects_does_not_keep_a_term_out() -> None:
+    """As many effects as a set may have explain most of what the term alone explains."""
+    generator = np.random.default_rng(3)
+    term = CandidateTerm("quadrature_force", "time", "")
+    column = generator.standard_normal((ROWS, 1))
+    columns = {e: column + 1.7 * generator.standard_normal((ROWS, e.size)) for e in DETERMINISTIC}
+    residual = 15 * column[:, 0] + generator.standard_normal(ROWS)
+    assert rank_sets(design_of({**columns, term: column}, residual)).best.groups == (term,)
+
+
 def test_required_groups_are_in_every_set() -> None:
     one, other = DETERMINISTIC[:2]
     columns = np.random.default_rng(1).standard_normal((100, 2))

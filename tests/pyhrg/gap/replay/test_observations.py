@@ -53,6 +53,16 @@ def test_forces_are_not_compared_without_drive() -> None:
     assert rows["amplitude"][30 + COARSE_SETTLING_STEPS :].all()
 
 
+def test_the_angle_is_not_compared_while_the_amplitude_changes() -> None:
+    log = made_up_log(120)
+    lower = np.where(log.time > 60, 0.8, 1.0) * log.amplitude_setpoint
+    rows = observe(replace(log, amplitude_setpoint=lower)).rows["gyro_angle"]
+    assert np.flatnonzero(~rows).tolist() == list(range(60, 60 + COARSE_SETTLING_STEPS))
+    off = np.where((log.time > 40) & (log.time <= 60), 0.0, 1.0)
+    rows = observe(replace(log, drive_on=off)).rows["gyro_angle"]
+    assert np.flatnonzero(~rows).tolist() == list(range(60, 60 + COARSE_SETTLING_STEPS))
+
+
 def test_the_noise_of_a_thermometer_is_averaged() -> None:
     log = made_up_log(600)
     assert np.ptp(observe(log).inputs.temperatures) == 0

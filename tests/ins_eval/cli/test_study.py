@@ -24,7 +24,7 @@ def cheap(monkeypatch: pytest.MonkeyPatch) -> None:
     [
         (
             ["huge"],
-            "huge: found no such file, expected one or narrow, one-maker, self-witness",
+            "huge: found no such file and no ready study of this name, expected a file or narrow",
         ),
         (["small", "--seed", "-1"], "small.toml: seed: found -1, expected a whole number from 0"),
         (["small", "--workers", "0"], "workers: found 0, expected a whole number from 1"),

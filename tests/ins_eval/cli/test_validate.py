@@ -86,7 +86,7 @@ def test_again_is_told_without_work(folder: Path, capsys: pytest.CaptureFixture[
     ("arguments", "message"),
     [
         (["--seed", "-1"], "seed: found -1, expected a whole number from 0 to"),
-        (["--seed", "abc"], "argument --seed: invalid int value: 'abc'"),
+        (["--seed", "abc"], "argument --seed: found 'abc', expected a whole number"),
         (["--hours", "0"], "hours: found 0, expected a number from 0.1 to 10"),
         (["--hours", "nan"], "hours: found nan, expected a number"),
         (["--hours", "1e9"], "hours: found 1e+09, expected a number"),

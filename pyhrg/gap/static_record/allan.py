@@ -59,7 +59,7 @@ class ChannelNoise:
         for term, c in self.coefficients.items():
             shown = _format(c, term.factor)
             if not c.present:
-                shown = f"< {format_number(c.high / term.factor)}"
+                shown = f"< {format_number(c.high / term.factor)}".replace("\N{MINUS SIGN}", "-")
             rows.append((term.effect.replace("_", " "), shown, term.unit, term.parameter))
         ramp = kind.ramp
         shown = _format(self.ramp, ramp.factor)

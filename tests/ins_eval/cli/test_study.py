@@ -15,7 +15,7 @@ from tests.ins_eval.study.run.cheap import CHEAP, conclude, made
 
 @pytest.fixture(autouse=True)
 def cheap(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(run_study, "make_experiment", lambda: CHEAP)
+    monkeypatch.setattr(run_study, "make_experiment", lambda study: CHEAP)
     monkeypatch.setattr(run_study.StudyResult, "verdict", "cheap")
 
 

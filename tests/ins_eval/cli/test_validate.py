@@ -3,6 +3,7 @@
 import csv
 import json
 from dataclasses import replace
+from itertools import chain
 from pathlib import Path
 
 import pytest
@@ -46,14 +47,17 @@ def test_validate_writes_its_files(folder: Path, capsys: pytest.CaptureFixture[s
     claims = document["claims"]["mean"]
     assert [each["claim"] for each in claims] == ["a", "b", "c"]
     for each in claims:
-        assert f"({each['claim']}) {each['statement']}: {each['verdict'].upper()}." in said
+        assert f"({each['claim']}) {each['statement']}: {each['verdict'].upper()} (n" in said
         assert each["n"] == 36
         assert {score["mission_class"] for score in each["by_class"]} == {
             "car",
             "aircraft with rolls",
         }
-    lines = said.split("(d) Claims that fail in conditions:")[1].splitlines()[1:5]
-    assert all("(24 triads, linear flights): " in line for line in lines)
+    conditions = said.split("(d) The claims in other conditions:")[1]
+    assert conditions.count("(24 triads, linear flights)\n") == 7
+    for each in document["conditions"]:
+        for figure in chain(*each["figures"].values()):
+            assert figure in conditions
 
 
 def test_views_are_of_the_judged_triads(folder: Path) -> None:

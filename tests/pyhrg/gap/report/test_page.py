@@ -10,7 +10,7 @@ import pytest
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.evidence.noise.noise_hypothesis import UnnamedNoise
 from pyhrg.gap.evidence.posterior import Posterior
-from pyhrg.gap.findings.diagnosis import UNSETTLED, WORSE, WORSE_HELD_OUT, Cause, NextTest
+from pyhrg.gap.findings.diagnosis import UNSETTLED, WORSE, WORSE_HELD_OUT, Cause, NextTest, Verdict
 from pyhrg.gap.findings.faults import list_fault_causes, list_tolerated_faults
 from pyhrg.gap.findings.term import Formula, Term
 from pyhrg.gap.report.page import build_page
@@ -165,7 +165,8 @@ def test_an_immaterial_cause_without_a_name_stands_in_the_headline(
     assert write_headline(diagnosis).endswith(f"damping anisotropy; {IMMATERIAL_CAUSE}.")
     answers = answer_questions(replace(with_gap, diagnosis=diagnosis))
     assert any(s.endswith("but immaterial by the bound.") for s in answers["How sure"])
-    for probability, verdict in ((0.4, "explained"), (0.999, "unexplained")):
+    cases: tuple[tuple[float, Verdict], ...] = ((0.4, "explained"), (0.999, "unexplained"))
+    for probability, verdict in cases:
         said = replace(diagnosis, unknown_probability=probability, verdict=verdict)
         assert IMMATERIAL_CAUSE not in write_headline(said)
 

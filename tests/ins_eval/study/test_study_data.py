@@ -30,7 +30,7 @@ def test_a_folder_gives_back_what_was_written(tmp_path: Path) -> None:
 
 
 def test_a_folder_without_results_is_named(tmp_path: Path) -> None:
-    with pytest.raises(HrgError, match=r"study\.parquet: can't be read: No such file"):
+    with pytest.raises(HrgError, match=r"found no study\.parquet, expected .*hrg validate"):
         read_study_data(tmp_path)
 
 

@@ -4,6 +4,9 @@ command          what it prints
 mean [TRIADS]    flights on the FMU of triads whose maps' means are calibrated (seed 1, numbers from
                  100), in turn on four missions: fixes of 2 m at 1 Hz for two hours, then an hour
                  without
+bound [CALIBRATION TRIADS]
+                 what the filter's covariance leaves of the free hour, by what is known before the
+                 drive: population, bench, the gyros' own channels
 map [TRIADS]     the same of triads whose whole maps are calibrated
 drawn [SEEDS]    NEES of drives whose sensors' errors are drawn from the filter's own prior
 """
@@ -13,6 +16,7 @@ import sys
 import numpy as np
 from scipy.stats import chi2
 
+from benchmarks.aided.bound import bound_triads
 from benchmarks.aided.drawn import filter_drawn
 from benchmarks.aided.flown import STUDY_SEED, AidedTriad, fly_triads
 from ins_eval.study.experiment import load_fmu
@@ -63,9 +67,25 @@ def print_row(triad: AidedTriad) -> None:
     )
 
 
+def make_distribution(method: str) -> TriadDistribution:
+    if method == "mean":
+        return TriadDistribution(population=TRIMMED, method="mean")
+    return TriadDistribution(population=RAW, method="map")
+
+
+def print_bound(method: str, count: int) -> None:
+    print("medians of the horizontal error after the free hour, m, by the filter's covariance")
+    for each in bound_triads(load_fmu("HRGSlow"), make_distribution(method), count):
+        print(
+            f"{each.mission:9s} {each.prior:13s} {each.free:6.0f}, uncorrected "
+            f"{each.uncorrected:6.0f}, ratio {each.free / each.uncorrected:.3f}; noise alone "
+            f"{each.noise:5.0f}, ratio {each.noise / each.uncorrected:.3f}",
+            flush=True,
+        )
+
+
 def print_flown(method: str, count: int) -> None:
-    population = TRIMMED if method == "mean" else RAW
-    distribution = TriadDistribution(population=population, method=method)
+    distribution = make_distribution(method)
     fmus = load_fmu("HRG"), load_fmu("HRGSlow")
     triads = []
     for triad in fly_triads(fmus, distribution, LEARNING, count):
@@ -120,8 +140,10 @@ def print_drawn(count: int) -> None:
 
 if __name__ == "__main__":
     command, *rest = sys.argv[1:]
-    number = int(rest[0]) if rest else TRIADS
+    number = next((int(each) for each in rest if each.isdigit()), TRIADS)
     if command == "drawn":
         print_drawn(number)
+    elif command == "bound":
+        print_bound(next((each for each in rest if not each.isdigit()), "mean"), number)
     else:
         print_flown(command, number)

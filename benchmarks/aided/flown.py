@@ -166,10 +166,18 @@ def measure(
     return make_increments(truth, triad, ends[:, :, 0], accelerometers), ends[:, :, 1]
 
 
-def propagate_noise(drive: Drive, first: int, states: SensorStates, truth: Trajectory) -> Array:
-    """Covariance (2, 2) of the position at a drive's end, m^2, by noise from a step on."""
+def propagate(
+    drive: Drive,
+    first: int,
+    states: SensorStates,
+    truth: Trajectory,
+    mean: Array | float = 0.0,
+    covariance: Array | float = 0.0,
+) -> tuple[Array, Array]:
+    """Mean (2,), m, and covariance (2, 2), m^2, of the position error at a drive's end, by errors
+    (n,) of a covariance (n, n) at a step and by the noise from there on."""
     kalman = Filter(states, np.zeros((COUNT, COUNT)), drive.step)
-    kalman.covariance[:] = 0.0
+    kalman.mean[:], kalman.covariance[:] = mean, covariance
     for begin in range(first, drive.steps, round(SEGMENT / drive.step)):
         end = min(begin + round(SEGMENT / drive.step), drive.steps)
         at = truth.state(drive.increments.start + begin * drive.step)
@@ -178,7 +186,7 @@ def propagate_noise(drive: Drive, first: int, states: SensorStates, truth: Traje
         noise = list_noise(model.constant_errors, states.noise, drive.step)
         for k in range(len(model)):
             kalman.predict(model.transition[k], model.inputs[k].reshape(COUNT, -1), noise[k])
-    return np.asarray(kalman.covariance[:2, :2])
+    return kalman.mean[:2], kalman.covariance[:2, :2]
 
 
 class _Flown:
@@ -239,7 +247,7 @@ class _Flown:
             uncorrected=uncorrected,
             shuffled=shuffled,
             alone=float(alone[kept]),
-            by_noise=propagate_noise(self._drive, self._last, self._states, self._trajectory),
+            by_noise=propagate(self._drive, self._last, self._states, self._trajectory)[1],
         )
 
     def _read_map(self, slow: GyroFmu, axis: int, time: float) -> Array:

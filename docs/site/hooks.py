@@ -50,6 +50,8 @@ HANDED_OUT = {
 """Classes that a front door hands out and doesn't name."""
 CATALOGUE = ROOT / "modelica" / "HRG" / "UsersGuide" / "Mechanisms.mo"
 
+PAGE_LINK = re.compile(r"\[`?[\w/.-]+\.md`?\]\(([\w/.-]+\.md)(#[\w-]+)?\)")
+"""A link whose words are the name of the page's file."""
 FORMULA = re.compile(r'<(span|div) class="arithmatex">\\[(\[](.*?)\\[)\]]</\1>', re.DOTALL)
 NUMBER = re.compile(r"\\tag\{(.*?)\}")
 BRACKETS = {r"\langle": "⟨", r"\rangle": "⟩"}
@@ -57,7 +59,8 @@ BRACKETS = {r"\langle": "⟨", r"\rangle": "⟩"}
 
 
 def on_page_markdown(markdown: str, page: Any, **_: object) -> str:
-    """Add to a page of the reference what the code says."""
+    """Name linked pages by their titles, and add to the reference what the code says."""
+    markdown = name_links(markdown, Path(page.file.abs_src_path).parent)
     for package in PACKAGES:
         if page.file.src_uri == f"reference/{package}.md":
             return "\n\n".join([markdown, *list_public_names(package)])
@@ -66,6 +69,17 @@ def on_page_markdown(markdown: str, page: Any, **_: object) -> str:
     if page.file.src_uri == "reference/mechanisms.md":
         return "\n\n".join([markdown, read_catalogue()])
     return markdown
+
+
+def name_links(markdown: str, folder: Path) -> str:
+    """Give a page of a folder with the titles of pages, up to a colon or comma, as the words of
+    links that name the pages' files."""
+
+    def name(link: re.Match[str]) -> str:
+        title = re.search("^# ([^:,\n]+)", (folder / link[1]).read_text(encoding="utf-8"), re.M)
+        return f"[{title[1]}]({link[1]}{link[2] or ''})" if title else link[0]
+
+    return PAGE_LINK.sub(name, markdown)
 
 
 def list_public_names(package: str) -> Iterator[str]:

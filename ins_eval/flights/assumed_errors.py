@@ -134,3 +134,13 @@ def _size_misalignment(
         (effect, matrix[axes, (axes + shift) % AXES])
         for shift, effect in enumerate(misalignment(sensor), start=1)
     ]
+
+
+def describe_assumption(imu: Imu) -> str:
+    """What the one-sigma of an IMU leaves out, in words; empty where nothing."""
+    if isinstance(imu.gyros, FmuGyros) and imu.gyros.is_swept:
+        return (
+            "1-sigma: by the linear model, as if the gyros did not sweep their pattern "
+            "(sweep_angle_deg)"
+        )
+    return ""

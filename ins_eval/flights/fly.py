@@ -7,7 +7,7 @@ from typing import Any
 
 import xarray as xr
 
-from ins_eval.flights.assumed_errors import assume_errors
+from ins_eval.flights.assumed_errors import assume_errors, describe_assumption
 from ins_eval.flights.flight import count_still_increments, fly_runs, sample_truth
 from ins_eval.flights.linear import compute_error_budget, propagate_flight_covariance
 from ins_eval.flights.log_flight import LOG_TRAJECTORY, navigate_log
@@ -110,7 +110,7 @@ def fly_plan(
     return Flight(
         *(plan, trajectory.name, _name_imu(imu), truth.position, flown.alignments, dataset, budget),
         imu_digest=digest_value(imu),
-        remark=trajectory.remark,
+        remark="\n".join(filter(None, (trajectory.remark, describe_assumption(imu)))),
     )
 
 

@@ -31,6 +31,8 @@ from pyhrg.common.made_by import list_versions
 SCHEMA = "hrg-nav/1"
 DOCUMENT = "nav.json"
 COMPONENTS = ("north", "east", "radial")
+OWN_ERROR_DIGITS = 3
+"""Digits of the navigator's own error, mm, that are printed: rounding makes less."""
 LABEL, NUMBER = 42, 12
 """Widths of the printed table's first column and of the others, characters."""
 
@@ -212,7 +214,8 @@ def _end_rows(flight: Flight, last: xr.Dataset) -> list[tuple[str, list[float]]]
     rows += _sigma_rows(last)
     if "own_north_error" in last:
         own = [1000 * float(last[f"own_{name}_error"]) for name in ("north", "east")]
-        rows.append(("navigator's own error, mm", [*own, math.hypot(*own)]))
+        shown = [round(error, OWN_ERROR_DIGITS) + 0.0 for error in (*own, math.hypot(*own))]
+        rows.append(("navigator's own error, mm (to 0.001)", shown))
     return rows
 
 

@@ -89,6 +89,12 @@ class FmuGyros:
 
     def draw(self, generator: np.random.Generator) -> list[Bench]:
         """Draw three gyros, each on a bench of its own; they are switched on as `FLIGHT`."""
+        if self.calibrated and self.is_swept:
+            raise HrgError(
+                "found gyros that sweep their pattern (sweep_angle_deg): a calibration of their "
+                "mean bias at rest is not possible; expected calibrated = false in [gyros] of the "
+                "IMU file"
+            )
         fmu = self.fmu or GyroFmu(build_fmu())
         devices = self.devices(generator)
         if self.start_up:
@@ -107,6 +113,11 @@ class FmuGyros:
     def stated_devices(self) -> list[Device]:
         """The three gyros before anything of them is drawn."""
         return [replace(self.device, **own) for own in self.differences]
+
+    @property
+    def is_swept(self) -> bool:
+        """Whether the electronics of a gyro sweep its pattern."""
+        return any(device.sweep_angle for device in self.stated_devices)
 
     @property
     def map_sizes(self) -> tuple[MapSizes, ...]:

@@ -9,8 +9,7 @@ from ins_eval.imu.imu import Imu
 from ins_eval.imu.mounting import ORTHOGONAL, Mounting, MountingError, make_mounting
 from ins_eval.imu.sensor_error_model import AxisConstants, SensorErrorModel
 from ins_eval.imu.stated_gyros import StatedGyros
-from pyhrg.common.errors import HrgError
-from pyhrg.common.files import is_file
+from pyhrg.common.files import is_file, make_missing_error
 from pyhrg.common.toml_table import TomlTable, read_table
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G, PPM
 from pyhrg.device.ready_devices import READY, load_device
@@ -74,9 +73,7 @@ def load_imu(name_or_path: str | Path) -> Imu:
     if str(name_or_path) in list_imus():
         return read_imu(READY_FOLDER / f"{name_or_path}.toml")
     if not is_file(name_or_path):
-        raise HrgError(
-            f"{name_or_path}: found no such file, expected one or {', '.join(list_imus())}"
-        )
+        raise make_missing_error(name_or_path, "IMU", list_imus())
     return read_imu(Path(name_or_path))
 
 
@@ -125,13 +122,17 @@ def _gyros(table: TomlTable, folder: Path) -> FmuGyros | StatedGyros:
     if "device" in table.values:
         return _fmu_gyros(table, folder)
     kind = table.text("kind", "ideal", ("ideal", "simple"))
-    table.check_known(("kind", "mounting", *(error_keys(GYROS) if kind == "simple" else ())))
+    table.check_known(
+        ("device", "kind", "mounting", *(error_keys(GYROS) if kind == "simple" else ()))
+    )
     return StatedGyros(read_error_model(table, GYROS))
 
 
 def _fmu_gyros(table: TomlTable, folder: Path) -> FmuGyros:
     table.check_known(("device", "own_axes", "calibrated", "mounting", *GYRO_KEYS))
     name = table.text("device", "typical")
+    if name not in READY and not is_file(folder / name):
+        raise table.error("device", name, f"{', '.join(READY)}, or a file in {folder.resolve()}")
     return FmuGyros(
         load_device(name if name in READY else folder / name),
         own_axes=table.flag("own_axes", True),

@@ -24,7 +24,8 @@ class TriadBlock:
     """r triads of three gyros, along forward, right, down; SI.
 
     What the bench measured of each gyro after calibration (`study.gyros.measured_gyro`):
-    fixed_stability, fixed_repeatability, circumference_stability, instability: (r, 3) rad/s;
+    fixed_bias, fixed_stability, fixed_repeatability, circumference_stability, instability: (r, 3)
+    rad/s;
     random_walk: (r, 3) rad/sqrt(s);
     fitted_map: (r, 2 TERMS, 3) coefficients of its map over the pattern angle itself;
     map_per_kelvin: (r, 2 TERMS, 3) their change per kelvin;
@@ -43,6 +44,7 @@ class TriadBlock:
     seeds: (r, 2) entropy of each triad's noise in flight.
     """
 
+    fixed_bias: Array
     fixed_stability: Array
     fixed_repeatability: Array
     circumference_stability: Array

@@ -56,8 +56,8 @@ from ins_eval.study.study_data import (
     check_study_data,
 )
 from ins_eval.study.tables import columns, score
-from ins_eval.study.tables.columns import TABLE, write_table
-from ins_eval.study.tables.score import ALL, Score
+from ins_eval.study.tables.columns import CLASS_ERROR, TABLE, write_table
+from ins_eval.study.tables.score import ALL, RANGE, Score
 from ins_eval.study.witness.judge import WitnessScore, score_witnesses
 from pyhrg.common.arrays import Array
 from pyhrg.common.made_by import list_versions
@@ -66,6 +66,8 @@ from pyhrg.common.units import DEG, DEG_PER_H, HOUR
 MAX_LINEAR_MODEL_ERROR = 0.01
 """Largest accepted rms of the linear model's position error less the co-simulated one, over the rms
 co-simulated one. Chosen."""
+SMALLEST_SAMPLE = 10
+"""Smallest number of triads with an interval; fewer have a range and no verdict. Chosen."""
 
 
 def score_agreement(study: Study, arrays: Arrays) -> list[Score]:
@@ -100,18 +102,33 @@ def _score_groups(study: Study, arrays: Arrays, flights: str, key: str) -> Itera
             ]
             errors = zip(*_select_final_errors(arrays, method, missions, flights), strict=True)
             samples = [np.stack(each, axis=1) for each in errors]
-            estimate = bootstrap(compute_relative_difference, samples, study.seed)
-            yield estimate.score(
+            yield _score_difference(
+                samples,
+                study.seed,
                 score=key,
                 predictor="",
                 calibration=method,
                 mission_class=name,
                 role=ALL,
                 n=len(samples[0]),
-                seed=study.seed,
-                asked=f"<= {MAX_LINEAR_MODEL_ERROR:g}",
-                verdict=judge_bounds(estimate, high=MAX_LINEAR_MODEL_ERROR),
             )
+
+
+def _score_difference(samples: list[Array], seed: int, **group: Any) -> Score:
+    """The score of a group of triads; samples: (r, m, 2) linear and nonlinear errors; group: fields
+    of `Score` that name it."""
+    if len(samples[0]) < SMALLEST_SAMPLE:
+        single = compute_relative_difference(*(each[:, None] for each in samples))
+        value = float(compute_relative_difference(*samples))
+        low, high = float(single.min()), float(single.max())
+        return Score(value=value, low=low, high=high, confidence=RANGE, **group)
+    estimate = bootstrap(compute_relative_difference, samples, seed)
+    return estimate.score(
+        seed=seed,
+        asked=f"<= {MAX_LINEAR_MODEL_ERROR:g}",
+        verdict=judge_bounds(estimate, high=MAX_LINEAR_MODEL_ERROR),
+        **group,
+    )
 
 
 def _select_final_errors(
@@ -127,12 +144,17 @@ def _select_final_errors(
 
 PHASE_TABLE = "phase_diagram.csv"
 WITNESS_TABLE = "witness.csv"
-FILES = (TABLE, PHASE_TABLE, WITNESS_TABLE, page.PAGE, DOCUMENT)
-SCHEMA = "hrg-study/2"
+SCHEMA = "hrg-study/3"
+
+
+def list_files(study: Study) -> tuple[str, ...]:
+    """Names of the files of a study, in the order in which they appear."""
+    witness = (WITNESS_TABLE,) if study.witnessed else ()
+    return (TABLE, PHASE_TABLE, *witness, page.PAGE, DOCUMENT)
 
 
 def write_conclusion(study: Study, arrays: Arrays, folder: Path) -> None:
-    """Write `FILES` into a folder.
+    """Write the files of a study into a folder.
 
     Args:
         arrays: results of `experiment.compute_block` for all triads.
@@ -153,7 +175,8 @@ def write_conclusion(study: Study, arrays: Arrays, folder: Path) -> None:
     phase = _describe_phase_diagram(study, arrays, trained)
     write_rows(phase.get("rows", []), folder / PHASE_TABLE)
     witnessed = tabulate_witnessed(study, arrays)
-    witnessed.to_csv(folder / WITNESS_TABLE, index=False)
+    if study.witnessed:
+        witnessed.to_csv(folder / WITNESS_TABLE, index=False)
     told = score_witnesses(witnessed, study.seed)
     document = _make_document(study, scores, _describe_lead(study, arrays), phase, told)
     (folder / DOCUMENT).write_text(json.dumps(document, indent=1, allow_nan=False) + "\n")
@@ -241,6 +264,8 @@ def _score_constants(study: Study, trained: Mapping[Method, Training]) -> Iterat
     for method, training in trained.items():
         for mission_class, by_predictor in training.ratios.items():
             for key, ratios in by_predictor.items():
+                if key == CLASS_ERROR:
+                    continue
                 constant = bootstrap(compute_constant, [ratios], study.seed)
                 yield constant.score(
                     score=score.CLASS_CONSTANT,

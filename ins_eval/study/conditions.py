@@ -23,6 +23,7 @@ from ins_eval.study.gyros.drawn_triad import (
 from ins_eval.study.gyros.drift import Flight, draw_flight
 from ins_eval.study.gyros.makers_calibration import calibrate_gyro
 from ins_eval.study.gyros.population import Population
+from ins_eval.study.predictors.fixed_mean import CONSTANT_BIAS
 from ins_eval.study.specification import Study
 from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H, YEAR
 from pyhrg.device.device import Device
@@ -30,8 +31,6 @@ from pyhrg.fmu import GyroFmu
 
 Generator = np.random.Generator
 
-CONSTANT_BIAS = 0
-"""Index of a constant bias among the coefficients in flight."""
 STALE_AGE = 5 * YEAR
 """Time from calibration to flight of a stale calibration, s. Chosen."""
 LEVEL_FLIGHT_HOURS = 1.0
@@ -107,6 +106,17 @@ def _remove_power_on_bias(sample: ConditionSample) -> TriadBlock:
     in_flight = triads.in_flight.copy()
     in_flight[:, CONSTANT_BIAS] -= bias
     return replace(triads, in_flight=in_flight)
+
+
+def _calibrate_at_fixed_position(sample: ConditionSample) -> TriadBlock:
+    """The maker takes out the mean bias of the fixed-position test in place of that over the
+    circumference; the bench's figures are those of the gyros that he hands over."""
+    triads = sample.triads
+    in_flight, fitted = triads.in_flight.copy(), triads.fitted_map.copy()
+    for coefficients in (in_flight, fitted):
+        coefficients[:, CONSTANT_BIAS] -= triads.fixed_bias
+    unbiased = np.zeros_like(triads.fixed_bias)
+    return replace(triads, in_flight=in_flight, fitted_map=fitted, fixed_bias=unbiased)
 
 
 def _self_calibrate(sample: ConditionSample) -> TriadBlock:
@@ -190,5 +200,16 @@ CONDITIONS = (
         "aircraft",
         None,
         _draw_noisy_triads,
+    ),
+    *(
+        Condition(
+            f"calibrated at the fixed position, {mission}",
+            "the maker takes out the mean bias at the start angle, by the fixed-position test, in "
+            "place of the mean over the circumference",
+            mission,
+            None,
+            _calibrate_at_fixed_position,
+        )
+        for mission in ("car", "aircraft")
     ),
 )

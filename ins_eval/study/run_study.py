@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ins_eval.study import experiment
-from ins_eval.study.conclusion import FILES, write_conclusion
+from ins_eval.study.conclusion import list_files, write_conclusion
 from ins_eval.study.run.run import Cluster, Experiment, Progress, run_experiment
 from ins_eval.study.specification import Study
 from ins_eval.study.study_data import StudyData, read_study_data
@@ -116,14 +116,16 @@ def run_study(
         study = load_study(study, seed)
     elif seed is not None:
         study = replace(study, seed=check_seed(seed))
-    return run_to_result(study, Path(out), make_experiment(), Cluster(scheduler, workers), progress)
+    return run_to_result(
+        study, Path(out), make_experiment(study), Cluster(scheduler, workers), progress
+    )
 
 
-def make_experiment() -> Experiment:
+def make_experiment(study: Study) -> Experiment:
     return Experiment(
         compute=experiment.compute_block,
         conclude=write_conclusion,
-        files=FILES,
+        files=list_files(study),
         prepare=experiment.prepare,
     )
 

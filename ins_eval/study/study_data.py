@@ -118,6 +118,11 @@ def read_study_data(folder: Path) -> StudyData:
     Raises:
         HrgError: a file is missing or can't be read; or as `check_study_data`.
     """
+    if not (folder / TABLE).exists():
+        raise HrgError(
+            f"{folder}: found no {TABLE}, expected the folder of a finished study: `hrg validate` "
+            "or `hrg study` writes one"
+        )
     table = read_parquet(folder / TABLE)
     document = read_json(folder / DOCUMENT)
     return check_study_data(table, document, f"{folder}/")

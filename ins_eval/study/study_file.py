@@ -21,7 +21,7 @@ from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.keys import build_from_table, keys
 from ins_eval.trajectories.recorded_drive import find_recording
 from pyhrg.common.errors import HrgError
-from pyhrg.common.files import is_file
+from pyhrg.common.files import is_file, make_missing_error
 from pyhrg.common.reading.files import read_bytes
 from pyhrg.common.reading.limits import LOG_BYTES
 from pyhrg.common.toml_table import Key, TomlTable, read_fields, read_table
@@ -107,7 +107,7 @@ def load_study(name_or_path: str | Path, seed: int | None = None) -> Study:
     if str(name_or_path) in READY:
         return read_study(_FOLDER / f"{name_or_path}.toml", seed)
     if not is_file(name_or_path):
-        raise HrgError(f"{name_or_path}: found no such file, expected one or {', '.join(READY)}")
+        raise make_missing_error(name_or_path, "study", READY)
     return read_study(Path(name_or_path), seed)
 
 

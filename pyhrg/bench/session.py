@@ -27,6 +27,7 @@ from pyhrg.bench.source import Source, open_records, prepare_simulation
 from pyhrg.bench.store import Store
 from pyhrg.common.arguments import check_seed, choose_workers
 from pyhrg.common.errors import HrgError, quote
+from pyhrg.common.files import check_page
 from pyhrg.common.made_by import check_identity
 from pyhrg.common.progress import Show
 from pyhrg.device.device import Device
@@ -134,7 +135,7 @@ def run_tests(
             store = None if folder is None else Store(folder / LOGS_TO_RESUME)
             source = prepare_simulation(procedures, device, seed, workers, store, counter, changes)
         if folder is not None and not force:
-            _read_kept(folder, source)
+            check_page(folder, bool(_read_kept(folder, source)))
         counter.expect(len(source.procedures))
         try:
             with source.store:

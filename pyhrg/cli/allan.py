@@ -18,6 +18,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "Earth's rate contradict them")  # fmt: skip
     add("--out", type=Path, default=Path("hrg-allan"), metavar="DIR", help="output folder "
         "(default hrg-allan)")  # fmt: skip
+    add("--force", action="store_true", help="replace the result of another record in the output "
+        "folder")  # fmt: skip
     add("--json", action="store_true", help="print allan.json instead of the summary")
 
 
@@ -25,7 +27,9 @@ def run(options: argparse.Namespace) -> None:
     from pyhrg.gap.static_record.allan import FILES
 
     check_output_folder(options.out)
-    noise = pyhrg.compute_allan(options.log, trusted=options.trusted, out=options.out)
+    noise = pyhrg.compute_allan(
+        options.log, trusted=options.trusted, out=options.out, force=options.force
+    )
     if options.json:
         print(json.dumps(noise.document, indent=1, allow_nan=False))
         return

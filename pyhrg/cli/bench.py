@@ -64,12 +64,19 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def _list_tests(procedures: Sequence["Procedure"]) -> str:
-    """Names and titles of the tests by group, for the help."""
+    """Names and titles of the tests by group, for the help; models other than `HRG`."""
     width = max(len(name) for name in (*(p.name for p in procedures), ALL))
-    lines = ["tests:", f"  {ALL:<{width}}  every one of them"]
+    lines = [
+        "tests (the model HRG is simulated where no other is named):",
+        f"  {ALL:<{width}}  every one of them",
+    ]
     for group in dict.fromkeys(p.group for p in procedures):
         lines += ["", f"{group}:"]
-        lines += [f"  {p.name:<{width}}  {p.title}" for p in procedures if p.group == group]
+        lines += [
+            f"  {p.name:<{width}}  {p.title}" + (f" ({p.model})" if p.model != "HRG" else "")
+            for p in procedures
+            if p.group == group
+        ]
     return "\n".join(lines)
 
 
@@ -97,7 +104,7 @@ def run(options: argparse.Namespace) -> None:
         _warn_of_refusal(campaign)
 
 
-def _warn_of_refusal(campaign: pyhrg.Campaign) -> None:
+def _warn_of_refusal(campaign: "pyhrg.Campaign") -> None:
     """Say on standard error why a diagnosis would refuse the records whose figures were printed."""
     from pyhrg.gap.soundness import screen_campaign
 

@@ -73,9 +73,13 @@ class _Parser(argparse.ArgumentParser):
 
 def _parse_number(kind: type[int] | type[float], text: str) -> float:
     """A number in ASCII digits; Python's own readers take `1_0`, blanks and any script's digits."""
-    if "_" in text or not text.isascii() or text != text.strip():
-        raise ValueError
-    return kind(text)
+    try:
+        if "_" in text or not text.isascii() or text != text.strip():
+            raise ValueError
+        return kind(text)
+    except ValueError:
+        number = "a whole number" if kind is int else "a number"
+        raise argparse.ArgumentTypeError(f"found {text!r}, expected {number}") from None
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

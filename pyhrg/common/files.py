@@ -5,13 +5,14 @@ killed process leaves it unlocked: the next write to the same place removes it. 
 where a file system knows no locks, it stays.
 """
 
+import difflib
 import errno
 import os
 import re
 import shutil
 import sys
 import tempfile
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -20,6 +21,8 @@ from pyhrg.common.errors import HrgError
 if sys.platform != "win32":
     import fcntl
 
+PAGE = "report.html"
+"""Name of the page that most commands write into their output folder."""
 NEW, OLD = ".partial", ".old"
 """Ends of hidden names: of what is being written, then of the folder that it replaces."""
 
@@ -29,8 +32,19 @@ def check_output_folder(out: Path) -> None:
     nearest = next(path for path in (out, *out.absolute().parents) if path.exists())
     if not nearest.is_dir():
         raise NotADirectoryError(errno.ENOTDIR, "it is no folder", str(nearest))
-    if not os.access(nearest, os.W_OK | os.X_OK):
-        raise PermissionError(errno.EACCES, "it can't be written", str(nearest))
+    try:
+        with tempfile.TemporaryFile(dir=nearest):
+            pass
+    except OSError:
+        raise PermissionError(errno.EACCES, "it can't be written", str(nearest)) from None
+
+
+def make_missing_error(name: str | Path, kind: str, ready: Sequence[str]) -> HrgError:
+    """The error about a name that is neither a file nor a ready thing of a kind; it proposes the
+    ready one that resembles it, or all."""
+    close = difflib.get_close_matches(str(name).lower().replace("_", "-"), ready, n=1) or ready
+    found = f"found no such file and no ready {kind} of this name"
+    return HrgError(f"{name}: {found}, expected a file or {', '.join(close)}")
 
 
 def check_output_file(out: Path) -> None:
@@ -41,6 +55,19 @@ def check_output_file(out: Path) -> None:
     """
     if out.is_dir():
         raise HrgError(f"can't write {out}: it is a folder; expected the name of a file")
+
+
+def check_page(out: Path, is_ours: bool) -> None:
+    """Refuse to replace the report of another command in an output folder.
+
+    Raises:
+        HrgError: there is one.
+    """
+    if (out / PAGE).exists() and not is_ours:
+        raise HrgError(
+            f"{out / PAGE}: found the report of another command; choose another folder, or replace "
+            "what is there with --force"
+        )
 
 
 def is_file(path: str | Path) -> bool:
@@ -128,7 +155,10 @@ def make_aside(
     is still there. What killed processes left of theirs is cleared first."""
     _clear_leftovers(path)
     while True:
-        aside = Path(make(NEW, f".{path.name}.", path.parent))
+        try:
+            aside = Path(make(NEW, f".{path.name}.", path.parent))
+        except OSError as error:  # it names a hidden file
+            raise type(error)(error.errno, error.strerror, str(path)) from None
         with _lock(aside, wait=True):
             if not aside.exists():  # another process took it for a leftover
                 continue

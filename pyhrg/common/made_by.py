@@ -15,6 +15,8 @@ PACKAGES = ("fmu_build", "pyhrg", "ins_eval")
 INSTALLED = Path(__file__).parents[2]
 """Folder of the packages."""
 SOURCES = frozenset((".py", ".mo", ".c", ".h", ".toml"))
+DIGEST = "_sha256"
+"""Ending of the key of a thing's digest; the key without it has the thing's name."""
 LIBRARIES = ("numpy", "scipy", "numba", "pyarrow")
 """Libraries whose versions may change the last bits of a result."""
 
@@ -56,9 +58,13 @@ def check_identity(file: Path, identity: Mapping[str, Any]) -> None:
     found = {key: document.get(key) for key in identity}
     if differs := find_difference(found, dict(identity)):
         key, here, asked = differs
+        difference = f"{key}: found {here!r}, expected {asked!r}"
+        if key.endswith(DIGEST):
+            key = key.removesuffix(DIGEST)
+            difference = f"{key}: found {found.get(key)!r} with other values than now"
         raise HrgError(
-            f"{file}: another run: {key}: found {here!r}, expected {asked!r}; choose another "
-            "folder, or replace what is there with --force"
+            f"{file}: another run: {difference}; choose another folder, or replace what is there "
+            "with --force"
         )
 
 

@@ -2,8 +2,7 @@
 
 from pathlib import Path
 
-from pyhrg.common.errors import HrgError
-from pyhrg.common.files import is_file
+from pyhrg.common.files import is_file, make_missing_error
 from pyhrg.device import device_file
 from pyhrg.device.device import Device
 
@@ -27,7 +26,7 @@ def load_device(name_or_path: str | Path) -> Device:
         return device_file.read(_FOLDER / f"{name_or_path}.toml")
     path = Path(name_or_path)
     if not is_file(path):
-        raise HrgError(f"{path}: found no such file, expected one or {', '.join(READY)}")
+        raise make_missing_error(name_or_path, "device", READY)
     return device_file.read(path)
 
 

@@ -34,7 +34,7 @@ from pyhrg.gap.findings import diagnosis as diagnosis_file
 from pyhrg.gap.findings import verdict as verdicts
 from pyhrg.gap.findings.diagnosis import Diagnosis, Leftover, Verdict
 from pyhrg.gap.findings.faults import list_fault_causes, list_ripples, list_tolerated_faults
-from pyhrg.gap.findings.localisation import locate_gap
+from pyhrg.gap.findings.localisation import locate_gap, measure_travels
 from pyhrg.gap.findings.materiality import IMMATERIAL, measure_leftover
 from pyhrg.gap.findings.quantity import measure_sizes
 from pyhrg.gap.next_test.next_test import suggest_next_test
@@ -264,7 +264,9 @@ def _summarize(
         verdict,
         causes,
         unknown_probability,
-        where=locate_gap(build_design(attribution.parts, stated_noise)),
+        where=locate_gap(
+            build_design(attribution.parts, stated_noise), measure_travels(attribution.parts)
+        ),
         sizes=measure_sizes(
             attribution.parts, closing.before[:count], closing.after[:count], stated_noise
         ),

@@ -64,24 +64,37 @@ class MapEstimate:
         lines = [
             f"{'bias map, deg/h':28s}{'calibrated':>12s}{'now':>12s}{SIGMAS}",
             *(
-                f"{name:28s}" + "".join(f"{x:12.5f}" for x in row.values())
+                f"{name:28s}{row['calibrated']:12.5f}{self._show(row['now'], '.5f')}"
+                f"{row['sigma']:12.5f}{row['sigma_without_log']:12.5f}"
                 for name, row in self._tabulate_map().items()
             ),
             "",
-            f"{'change since calibration':34s}{'now':>12s}{SIGMAS}",
+            f"{'change since calibration, SI':34s}{'now':>12s}{SIGMAS}",
             *(
-                f"{name:34s}{row['now']:12.3g}{row['sigma']:12.2g}{row['sigma_without_log']:12.2g}"
+                f"{name:34s}{self._show(row['now'], '.3g')}"
+                f"{row['sigma']:12.2g}{row['sigma_without_log']:12.2g}"
                 for name, row in self._tabulate_changes().items()
             ),
             "",
             f"temperature {self.temperature:+.2f} K; {self.burst_share:.1%} of the rows are bursts",
         ]
+        if fixed := [
+            n for n, v in zip(NAMES, self.prior.covariance.diagonal(), strict=True) if not v
+        ]:
+            lines.append(
+                f"taken as unchanged: {', '.join(fixed)} (a drift is a share of what the device "
+                "states, and a share of 0 is 0)"
+            )
         if not self.is_explained:
             lines.append(
                 "the forces hold what no drifting mechanism makes "
                 f"(p = {self.p_value:.1g}): the log is not followed"
             )
         return "\n".join(lines)
+
+    def _show(self, now: float, digits: str) -> str:
+        """A dash where the log is not followed: nothing was estimated."""
+        return f"{now:12{digits}}" if self.is_explained else f"{'-':>12s}"
 
     @property
     def document(self) -> dict[str, Any]:

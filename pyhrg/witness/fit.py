@@ -18,6 +18,7 @@ from pyhrg.witness.responses import (
     FORCES,
     Motion,
     Responses,
+    compute_change_design,
     evaluate_motion,
     measure_channels,
     measure_responses,
@@ -171,7 +172,8 @@ def _average_design(responses: Responses, motion: Motion) -> tuple[Array, Array]
     for place, rows in enumerate(averaged):
         acting = place == FOLLOWED
         design[:, :, acting] = np.einsum("bt,cft->bfc", rows, flat[acting])
-    return averaged[0], design
+    changing = compute_change_design(responses.forces, motion, responses.angular_gain)
+    return averaged[0], design + _average(changing, motion.interval)
 
 
 def _measure_scatter(fast: GyroFmu, devices: Sequence[Device]) -> Array:

@@ -21,7 +21,7 @@ OUTPUT = 1
 def accumulate_information(responses: Responses, motion: Motion) -> Array:
     """(COUNT, COUNT) Fisher information of the forces in all rows of a motion (Eq. 4)."""
     deviation = responses.noise / np.sqrt(motion.interval)
-    return _accumulate(responses.forces, deviation, motion)
+    return _accumulate(responses.forces, deviation, motion, responses.angular_gain)
 
 
 def accumulate_output_information(responses: Responses, motion: Motion, noise: float) -> Array:
@@ -30,7 +30,7 @@ def accumulate_output_information(responses: Responses, motion: Motion, noise: f
     noise: white noise of the output in one second's mean, rad/s.
     """
     deviation = np.full(OUTPUT, noise) / np.sqrt(motion.interval)
-    return _accumulate(responses.output[:, None], deviation, motion)
+    return _accumulate(responses.output[:, None], deviation, motion, responses.angular_gain)
 
 
 def compute_posterior(prior: Array, information: Array) -> Array:
@@ -73,11 +73,14 @@ def compute_maps_response(responses: Responses, temperature: float) -> Array:
     return np.asarray(np.where(STEADY, maps.T, 0.0))
 
 
-def _accumulate(sensitivities: Array, deviation: Array, motion: Motion) -> Array:
+def _accumulate(
+    sensitivities: Array, deviation: Array, motion: Motion, angular_gain: float
+) -> Array:
     count = len(sensitivities)
     information = np.zeros((count, count))
     for first in range(0, len(motion.angle), PIECE):
-        design = compute_design(sensitivities, motion.take(slice(first, first + PIECE)))
+        piece = motion.take(slice(first, first + PIECE))
+        design = compute_design(sensitivities, piece, angular_gain)
         scaled = (design / deviation[:, None]).reshape(-1, count)
         information += scaled.T @ scaled
     return information

@@ -19,7 +19,7 @@ from pyhrg.common.units import DEG, STANDARD_GRAVITY
 from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import GyroFmu, record_together
-from pyhrg.witness.mechanisms import COUNT, FOLLOWED, MECHANISMS, THERMAL
+from pyhrg.witness.mechanisms import CHANGING, COUNT, FOLLOWED, MECHANISMS, THERMAL
 
 HARMONICS = (2, 4, 6, 8)
 TERMS = 1 + 2 * len(HARMONICS)
@@ -29,6 +29,8 @@ MOTIONS = 5
 FORCES = ("amplitudeForce", "quadratureForce")
 """Outputs of the FMU that witness the mechanisms. Amplitude and quadrature are held by their loops,
 and the frequency is the thermometer."""
+TURNING = 1
+"""Place of W among the motions."""
 POWERS = 3
 """Number of powers of the temperature: 0 to 2."""
 RISES = (0.0, 7.5, 15.0)
@@ -64,12 +66,13 @@ class Responses:
     forces: (COUNT, 2, POWERS, MOTIONS, TERMS) of amplitude and quadrature force, 1/s per unit of
     each mechanism and of its signal, per power of the temperature and of the motion's rate;
     output: (COUNT, POWERS, MOTIONS, TERMS) of the output rate, rad/s, likewise;
-    noise: (2,) white noise of the forces, 1/s in one second's mean.
+    noise: (2,) white noise of the forces, 1/s in one second's mean; angular_gain: Bryan factor.
     """
 
     forces: Array
     output: Array
     noise: Array
+    angular_gain: float
 
 
 @dataclass(frozen=True)
@@ -136,7 +139,7 @@ def _evaluate_cool(angle: Array, rate: Array, rotation: Array) -> Array:
     return np.asarray(moved[:, :, None] * evaluate_angles(angle)[:, None, :])
 
 
-def compute_design(sensitivities: Array, motion: Motion) -> Array:
+def compute_design(sensitivities: Array, motion: Motion, angular_gain: float) -> Array:
     """(n, channels, COUNT) change of each channel in each row per unit of each mechanism.
 
     sensitivities: (COUNT, channels, POWERS, MOTIONS, TERMS).
@@ -145,7 +148,27 @@ def compute_design(sensitivities: Array, motion: Motion) -> Array:
     flat = sensitivities.reshape(count * channels, -1)
     rows = evaluate_motion(motion).reshape(len(motion.angle), -1) @ flat.T
     design = np.moveaxis(rows.reshape(-1, count, channels), 1, 2)
-    return np.asarray(design * motion.signals[:, None, FOLLOWED])
+    design = design * motion.signals[:, None, FOLLOWED]
+    return np.asarray(design + compute_change_design(sensitivities, motion, angular_gain))
+
+
+def compute_change_design(sensitivities: Array, motion: Motion, angular_gain: float) -> Array:
+    """(n, channels, COUNT) part of the design by the rates of signals (Eq. 2a).
+
+    What pick-offs make of amplitude and angle, U(th), shows as it changes, whether the pattern
+    turns, -k dU/dth for each rad/s of the case, or the signal changes, U.
+    """
+    count, channels = sensitivities.shape[:2]
+    design = np.zeros((len(motion.angle), channels, count))
+    slope = sensitivities[CHANGING, :, 0, TURNING, 1:].reshape(-1, channels, len(HARMONICS), 2)
+    scale = angular_gain * np.array(HARMONICS)
+    made = np.stack([slope[..., 1], -slope[..., 0]], axis=-1) / scale[:, None]
+    potential = evaluate_angles(motion.angle)[:, 1:] @ made.reshape(*made.shape[:2], -1).swapaxes(
+        1, 2
+    )
+    rates = np.gradient(motion.signals, motion.interval, axis=0)[:, FOLLOWED[CHANGING]]
+    design[:, :, CHANGING] = np.moveaxis(potential * rates.T[:, :, None], 0, 2)
+    return design
 
 
 def measure_responses(fmu: GyroFmu, device: Device, noise: Array | None = None) -> Responses:
@@ -184,7 +207,7 @@ def measure_responses(fmu: GyroFmu, device: Device, noise: Array | None = None) 
             changes[place, :, 0] = at_rest
             changes[place, :, 1] = (by_chamber[warm] - at_rest) / RISES[-1]
     noise = measure_noise(fmu, device) if noise is None else noise
-    return Responses(changes[:, :2], changes[:, 2], noise)
+    return Responses(changes[:, :2], changes[:, 2], noise, device.bryan_factor)
 
 
 def measure_channels(fmu: GyroFmu, devices: Sequence[Device]) -> Array:

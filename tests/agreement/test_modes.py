@@ -1,11 +1,14 @@
 """Modes of operation: ring-down, rebalance, start-up, compensation, cancellation."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from pyhrg.common.units import DEG, DEG_PER_H
+from benchmarks.modes.paired_gyros import calibrate_at_rest, evaluate_map
+from pyhrg.common.units import DEG, DEG_PER_H, DEG_PER_SQRT_H
+from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from tests.driving import advance, drive
 
@@ -146,3 +149,26 @@ def test_scale_factor_map_takes_out_the_angle_error(fmu: GyroFmu) -> None:
     assert spread[0] > 1e-4
     assert spread[1] < 0.01 * spread[0]
     assert spread[2] == pytest.approx(2 * spread[0], rel=0.02)
+
+
+def test_two_gyros_calibrate_each_other(fmu_path: Path) -> None:
+    """With next to no noise each knows its harmonics within 1 % of 0.8 deg/h, and half of the
+    difference of the mean biases, which leaves (m1 + m2)/2 to both (`benchmarks.modes`)."""
+    sizes, quiet = (1e-3, -4e-4), 1e-6 * DEG_PER_SQRT_H
+    pair = [
+        Device(
+            damping_anisotropy=4e-3 * abs(size),
+            damping_axis=0.3,
+            drive_nonorthogonality=size,
+            drive_gain_mismatch=size,
+            angle_random_walk=quiet,
+        )
+        for size in sizes
+    ]
+    known = calibrate_at_rest(GyroFmu(fmu_path), pair, seed=1)
+    angles = np.arange(16) * math.pi / 16
+    left = np.mean(sizes) / (4 * K * TAU)
+    for size, coefficients in zip(sizes, known, strict=True):
+        bias = -abs(size) * 1e-3 / K * np.sin(4 * (angles - 0.3))
+        bias += size / (4 * K * TAU) * (np.sin(4 * angles) - np.cos(4 * angles) - 1)
+        assert bias - evaluate_map(coefficients, angles) == pytest.approx(-left, abs=0.01 * 4e-6)

@@ -2,13 +2,16 @@
 
 import re
 from contextlib import suppress
+from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 import matplotlib as mpl
 import pytest
 
 from fmu_build import build_fmu
+from pyhrg.bench import catalogue
 from tests.modules import load_file
 
 ROOT = Path(__file__).parents[2]
@@ -29,6 +32,22 @@ def test_python_blocks_run(
     for block in blocks:
         exec(compile(block, page, "exec"), names)
     assert capsys.readouterr().out
+
+
+def test_a_few_gyros_are_benched_and_flown(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The recipe, with two gyros, a short flight and quasi-static loops on the bench."""
+    monkeypatch.chdir(tmp_path)
+    slow = [replace(p, model="HRGSlow", step=0.1) for p in catalogue.PROCEDURES]
+    monkeypatch.setattr(catalogue, "PROCEDURES", slow)
+    text = (ROOT / "docs" / "how-to.md").read_text(encoding="utf-8")
+    (block,) = re.findall(r"```python\n(.*?)```", text, re.S)
+    names: dict[str, Any] = {}
+    exec(block.replace("range(1, 6)", "range(1, 3)").replace("hours=0.5", "hours=0.1"), names)
+    assert "fixed_deg_per_h" in capsys.readouterr().out
+    assert names["table"].shape == (2, 3)
+    assert (names["table"] > 0).all(axis=None)
 
 
 def test_links_and_paths_exist() -> None:

@@ -89,6 +89,16 @@ def test_the_reference_has_every_public_name(site: Path, package: str) -> None:
     assert front_door == {f"{package}.{name}" for name in import_module(package).__all__}
 
 
+def test_links_are_words(site: Path) -> None:
+    """Not the names of files that the site doesn't have."""
+    link = re.compile(r'<a [^>]*href="[^":]*\.html[^"]*"[^>]*>(?:<code>)?([\w/.-]+\.md)<')
+    pages = {page.name: page.read_text(encoding="utf-8") for page in site.rglob("*.html")}
+    assert {name: found for name, text in pages.items() if (found := link.findall(text))} == {}
+    assert (
+        '<a href="import.html">A laboratory\'s own logs as a campaign</a>' in pages["how-to.html"]
+    )
+
+
 def test_the_reference_has_every_command_and_mechanism(site: Path) -> None:
     text = (site / "reference" / "commands.html").read_text(encoding="utf-8")
     commands = entry_points(group="hrg.commands").names

@@ -108,8 +108,7 @@ class Filter:
         self.mean = np.zeros(count)
         self.covariance = np.zeros((count, count))
         self.covariance[:COUNT, :COUNT] = start
-        own = np.arange(COUNT, count)
-        self.covariance[own, own] = np.ravel(sensors.deviations) ** 2
+        self.covariance[COUNT:, COUNT:] = sensors.covariance
         self._persistence = sensors.list_persistence(step)
         self._product = np.outer(self._persistence, self._persistence)
         self._driving = np.diag(sensors.list_driving_variance(step))

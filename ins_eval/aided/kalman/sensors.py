@@ -17,13 +17,20 @@ class SensorStates:
     beginning, and always where an effect has a correlation time; walks: (e, 3) density of a random
     walk of the coefficients, SI per root of s; noise: (6,) coefficient N of the angle random walk
     of each gyro, rad/sqrt(s), and of the velocity random walk of each accelerometer,
-    m/s/sqrt(s).
+    m/s/sqrt(s); joint: (c, c) covariance of the coefficients at the beginning, where they are not
+    independent.
     """
 
     effects: tuple[Effect, ...]
     deviations: Array
     walks: Array
     noise: Array
+    joint: Array | None = None
+
+    @property
+    def covariance(self) -> Array:
+        """(c, c) of the coefficients at the beginning."""
+        return np.diag(np.ravel(self.deviations) ** 2) if self.joint is None else self.joint
 
     def __len__(self) -> int:
         return AXES * len(self.effects)

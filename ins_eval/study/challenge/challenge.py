@@ -63,7 +63,7 @@ def hand_out_challenge(
         found = ", ".join(chosen.calibrations)
         raise HrgError(f"calibrations: found {found}, expected one in a challenge")
     sealed, folder = Path(out) / SEALED, Path(out) / HAND_OUT
-    run_to_result(chosen, sealed, make_experiment(), Cluster(scheduler, workers), progress)
+    run_to_result(chosen, sealed, make_experiment(chosen), Cluster(scheduler, workers), progress)
     digest = _hash_truth(sealed)
     if not folder.exists():
         with replace_folder(folder) as aside:

@@ -20,7 +20,6 @@ from ins_eval.study.scores.resampling import bootstrap
 from ins_eval.study.specification import TEST, TRAIN
 from ins_eval.study.tables import columns
 from ins_eval.study.tables.columns import Predictor
-from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError, describe_briefly, quote
 from pyhrg.common.pages.svg import format_interval
 from pyhrg.common.reading.documents import parse_csv
@@ -153,22 +152,6 @@ def score_predictions(
     return ChallengeScores(pd.DataFrame(rows))
 
 
-def compute_interval_score(
-    flown: Array, low: Array, median: Array, high: Array, inside: float
-) -> Array:
-    """(...,) mean weighted interval score of errors (..., r, m): a proper score, in their unit.
-
-    It approximates the continuous ranked probability score by a median and one central interval
-    (Bracher et al. 2021, doi 10.1371/journal.pcbi.1008618, Eq. 1 to 3 with K = 1); smaller is
-    better.
-    """
-    outside = 1 - inside
-    missed = np.maximum(low - flown, 0) + np.maximum(flown - high, 0)
-    interval = high - low + 2 / outside * missed
-    score = (np.abs(flown - median) / 2 + outside / 2 * interval) / 1.5
-    return np.asarray(score.mean(axis=(-2, -1)))
-
-
 def _add_naive(table: pd.DataFrame, inside: float) -> pd.DataFrame:
     """The judged flights, with the naive predictor's columns."""
     training = table[table[columns.ROLE] == TRAIN].groupby(columns.MISSION)[columns.FLOWN_RADIAL]
@@ -188,7 +171,7 @@ def _score_predictor(
 ) -> dict[str, Any]:
     flown = group.select(columns.FLOWN_RADIAL)
     low, median, high = map(group.select, (predictor.low, predictor.median, predictor.high))
-    interval_score = partial(compute_interval_score, inside=inside)
+    interval_score = partial(measures.compute_interval_score, inside=inside)
     samples = [each / NAUTICAL_MILE for each in (flown, low, median, high)]
     found = {
         "r2": bootstrap(measures.compute_r2, [flown, median], seed),

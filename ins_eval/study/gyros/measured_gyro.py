@@ -30,7 +30,8 @@ FLICKER_FLOOR = np.sqrt(2 * np.log(2) / np.pi)
 class MeasuredGyro:
     """Results of the bench for one gyro, SI.
 
-    fixed_stability: in-run bias stability at one position, rad/s;
+    fixed_bias: mean bias at one position over the power-ons, rad/s;
+    fixed_stability: in-run bias stability there, rad/s;
     fixed_repeatability: standard deviation of the mean bias there between power-ons, rad/s;
     circumference_stability: bias stability over all positions, rad/s;
     fitted_map: (2 TERMS,) mean over the power-ons; map_per_kelvin: its change per kelvin;
@@ -41,6 +42,7 @@ class MeasuredGyro:
     instability: coefficient of the flicker noise at 100 s, rad/s.
     """
 
+    fixed_bias: float
     fixed_stability: float
     fixed_repeatability: float
     circumference_stability: float
@@ -84,6 +86,7 @@ def evaluate_campaigns(tests: Campaign, warm: Campaign) -> MeasuredGyro:
     fitted = np.concatenate([bias.mean(axis=0), scale.mean(axis=0)])
     walk = _estimate_random_walk(tests)
     return MeasuredGyro(
+        fixed_bias=at_rest.bias,
         fixed_stability=at_rest.stability,
         fixed_repeatability=at_rest.repeatability,
         circumference_stability=full_circumference.measure_bias(tests).stability,

@@ -14,7 +14,7 @@ from pyhrg.common.arrays import Array
 class BenchFigures:
     """Figures of r triads, for the gyro along each body axis.
 
-    fixed_stability, circumference_stability: (r, 3) rad/s;
+    fixed_bias, fixed_stability, fixed_repeatability, circumference_stability: (r, 3) rad/s;
     maps: (r, COUNT, 3) coefficients in flight that the bench expects, over the pattern angle
     itself: the fitted map, and its change as the gyro warms. The resonance frequency is the
     thermometer that gives the rise of temperature. Coefficients of the other signals are zero;
@@ -22,7 +22,9 @@ class BenchFigures:
     noise: (r, 4, 3) noise coefficients, SI (`COEFFICIENT_NAMES`); zero where the bench has none.
     """
 
+    fixed_bias: Array
     fixed_stability: Array
+    fixed_repeatability: Array
     circumference_stability: Array
     maps: Array
     variance: Array
@@ -34,7 +36,9 @@ def collect_bench_figures(triads: TriadBlock) -> BenchFigures:
     unmeasured = np.zeros_like(triads.random_walk)
     rise = triads.rise[:, None]
     return BenchFigures(
+        fixed_bias=triads.fixed_bias,
         fixed_stability=triads.fixed_stability,
+        fixed_repeatability=triads.fixed_repeatability,
         circumference_stability=triads.circumference_stability,
         maps=_pad_coefficients(triads.fitted_map, rise * triads.map_per_kelvin),
         variance=_pad_coefficients(

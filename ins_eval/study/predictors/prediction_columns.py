@@ -11,6 +11,7 @@ from ins_eval.mission_model.position_errors import TriadBlock
 from ins_eval.study.predictors import (
     class_constants,
     fitted_map,
+    fixed_mean,
     stability_rule,
     true_parameters,
 )
@@ -25,6 +26,8 @@ from ins_eval.study.tables import columns
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG_PER_H
 
+ASSUMED_STABILITY = 0.01 * DEG_PER_H
+"""Stability of every gyro for the predictor that ignores the bench, rad/s: any constant."""
 TURN_ONS = 7
 """Number of turn-ons of the test whose patterns start anywhere, as the paper's (4.1)."""
 
@@ -60,6 +63,7 @@ def compute_class_ratios(
     stabilities = {
         columns.FIXED_CLASS: training.fixed_stability,
         columns.CIRCUMFERENCE_CLASS: training.circumference_stability,
+        columns.CLASS_ERROR: np.full_like(training.fixed_stability, ASSUMED_STABILITY),
     }
     return {
         key: flown / stability_rule.compute_rule_distance(stability, weights.time)[:, -1:]
@@ -111,6 +115,10 @@ def predict_all(
         columns.CIRCUMFERENCE_CLASS: class_constants.predict(
             ratios[columns.CIRCUMFERENCE_CLASS], circumference, time
         ),
+        columns.CLASS_ERROR: class_constants.predict(
+            ratios[columns.CLASS_ERROR], np.full_like(fixed, ASSUMED_STABILITY), time
+        ),
+        columns.FIXED_MEAN: fixed_mean.predict(bench, weights, other),
         columns.FITTED_MAP: fitted_map.predict(bench, weights, drift, other, angle, seed),
         columns.ANY_ANGLE: fitted_map.predict_any_angle(bench, weights, drift, other, seed),
         columns.TRUE_PARAMETERS: true_parameters.predict(weights, triads.in_flight, true_other),
@@ -144,7 +152,7 @@ def tabulate_rankings(weights: MissionWeights, triads: TriadBlock) -> dict[str, 
     """(r, 3) values of the columns that rank gyros, at one time."""
     true = undo_start(triads.in_flight, triads.start_angle)
     return {
-        columns.GYROS_FLOWN: compute_gyro_rms(weights.maps, true)[:, 0],
+        columns.GYROS_LINEAR: compute_gyro_rms(weights.maps, true)[:, 0],
         columns.GYROS_FITTED: compute_gyro_rms(weights.gyros, triads.fitted_map)[:, 0],
         columns.GYROS_FIXED: triads.fixed_stability / DEG_PER_H,
         columns.GYROS_TURN_ON: triads.fixed_repeatability / DEG_PER_H,

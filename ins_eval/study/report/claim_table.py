@@ -4,24 +4,24 @@ import html
 from collections.abc import Sequence
 
 from ins_eval.study.report.claims import (
-    NO_FAILURE,
     JudgedClaim,
     judge_claims,
     judge_conditions,
-    list_failures,
+    list_conditions,
     name_requirement,
 )
 from ins_eval.study.report.figures.matrix import render_estimate
 from ins_eval.study.report.figures.parts import make_fold, name_calibration
 from ins_eval.study.study_data import CONDITIONS_KEY, StudyData
-from ins_eval.study.tables.score import FAILS, HOLDS, Score
+from ins_eval.study.tables.score import ALL, FAILS, HOLDS, Score
 from pyhrg.common.pages.markup import make_paragraph
 
 CAPTION = (
     "Each figure with its 95 % interval; n judged triads, which no predictor was made on. A claim "
     "holds in a class if the whole interval of each of its figures is within what is required; it "
     "is undecided if a part is. One valid requirement in twenty fails by chance. Grey figures "
-    "explain a claim and decide nothing."
+    "explain a claim and decide nothing. The population draws a gyro's noise independently of its "
+    "map: the fixed position's rank correlation is 0 by construction."
 )
 CONDITION = "linear flights, mean calibrated"
 NO_CONDITIONS = "This study has no flights in conditions in which a claim may fail."
@@ -74,7 +74,7 @@ def _render_calibration(data: StudyData, calibration: str, classes: Sequence[str
 
 def _render_claim(judged: JudgedClaim, classes: Sequence[str]) -> str:
     """Rows of a claim: its requirements, then the figures that explain it."""
-    scores = [*judged.by_class, *judged.beside]
+    scores = [s for s in (*judged.by_class, *judged.beside) if s.mission_class != ALL]
     kinds = list(dict.fromkeys((s.score, s.predictor) for s in scores))
     rows = []
     for number, kind in enumerate(kinds):
@@ -115,18 +115,18 @@ def _render_count(text: str) -> str:
 
 def _render_failures(data: StudyData, width: int) -> str:
     """Claim (d): a row for each condition with what fails in it."""
-    failures = list_failures(data)
-    failed = sum(bool(failing) for _, _, failing in failures)
-    verdict = f"claims fail in {failed} of {len(failures)} conditions"
+    results = list_conditions(data)
+    failed = sum(bool(each.figures[FAILS]) for each in results)
+    verdict = f"claims fail in {failed} of {len(results)} conditions"
     statement = "Where the claims fail beside the classes"
     rows = []
-    for number, (name, n, failing) in enumerate(failures):
-        head = "" if number else _render_head("d", statement, verdict, failures)
-        text = "<br>".join(map(html.escape, failing)) or NO_FAILURE
+    for number, each in enumerate(results):
+        head = "" if number else _render_head("d", statement, verdict, results)
+        text = "<br>".join(map(html.escape, each.lines))
         rows.append(
-            f"<tr>{head}<td>{html.escape(name)}<br><small>{CONDITION}</small></td>"
+            f"<tr>{head}<td>{html.escape(each.name)}<br><small>{CONDITION}</small></td>"
             f'<td class="failing" colspan="{width}">{text}</td>'
-            f"{_render_count(str(n))}</tr>"
+            f"{_render_count(str(each.n))}</tr>"
         )
     if not rows:
         rows.append(

@@ -1,28 +1,37 @@
 """The claims that a study decides, each with its own verdict, in words and by mission class."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from ins_eval.study.report.figures.matrix import name_negative_r2
 from ins_eval.study.report.figures.parts import name_calibration
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables.columns import (
+    ANY_ANGLE,
     CIRCUMFERENCE_CLASS,
     CIRCUMFERENCE_RULE,
     FITTED_MAP,
+    FIXED_MEAN,
     FIXED_RULE,
     TRUE_PARAMETERS,
+    TURN_ON,
 )
 from ins_eval.study.tables.score import (
     ALL,
     COVERAGE,
     FAILS,
+    FLIGHT_SPEARMAN,
+    FLIGHT_SPEARMAN_GAIN,
     HOLDS,
     MEDIAN_RATIO,
     MOUNTING_SHARE,
     R2_MOUNTED,
+    R2_OVER_FIXED,
+    R2_OVER_FIXED_MEAN,
     R2_RADIAL,
     R2_SHORTFALL,
+    SKILL_OVER_CLASS,
+    SKILL_OVER_FIXED,
     SPEARMAN,
     UNDECIDED,
     Score,
@@ -30,7 +39,7 @@ from ins_eval.study.tables.score import (
 from pyhrg.common.pages.svg import format_estimate
 
 IN_PART = "holds in part"
-NO_FAILURE = "no claim fails"
+NO_FAILURE = "no figure"
 
 
 @dataclass(frozen=True)
@@ -44,29 +53,48 @@ class Claim:
     beside: tuple[tuple[str, str, str], ...] = ()
 
 
+RANK = "rank correlation with the gyro's rms error (linear model, start angle averaged out)"
+FLIGHT_RANK = "rank correlation with single flights (co-simulated)"
 CLAIMS = (
     Claim(
         "a",
-        "In-run stability at a fixed position says nothing of the flight",
+        "In-run stability at a fixed position neither ranks gyros nor gives the size of the error",
         (
-            (
-                SPEARMAN,
-                FIXED_RULE,
-                "rank correlation (Spearman) of bench figure and gyro's rms error",
-            ),
+            (SPEARMAN, FIXED_RULE, RANK),
             (MEDIAN_RATIO, FIXED_RULE, "flown / predicted, by 0.01 deg/h = 1 nmi/h"),
+        ),
+        (
+            (FLIGHT_SPEARMAN, FIXED_RULE, FLIGHT_RANK),
+            (SPEARMAN, TURN_ON, "the same test's repeatability over turn-ons, same linear rank"),
+            (R2_RADIAL, FIXED_MEAN, "R2 of single flights by the same test's mean bias"),
         ),
     ),
     Claim(
         "b",
         "The full circumference ranks gyros and gives the size of the error",
         (
-            (
-                SPEARMAN,
-                CIRCUMFERENCE_RULE,
-                "rank correlation (Spearman) of bench figure and gyro's rms error",
-            ),
+            (SPEARMAN, CIRCUMFERENCE_RULE, RANK),
             (MEDIAN_RATIO, CIRCUMFERENCE_CLASS, "flown / predicted, by the class constant"),
+            (
+                SKILL_OVER_FIXED,
+                CIRCUMFERENCE_CLASS,
+                "interval score saved over the fixed position with its own class constant",
+            ),
+            (
+                SKILL_OVER_CLASS,
+                CIRCUMFERENCE_CLASS,
+                "interval score saved over the class alone, no bench test",
+            ),
+        ),
+        (
+            (FLIGHT_SPEARMAN, CIRCUMFERENCE_RULE, FLIGHT_RANK),
+            (FLIGHT_SPEARMAN_GAIN, CIRCUMFERENCE_RULE, f"{FLIGHT_RANK} less the fixed position's"),
+            (R2_RADIAL, CIRCUMFERENCE_CLASS, "R2 of single flights, by the class constant"),
+            (
+                R2_OVER_FIXED,
+                CIRCUMFERENCE_CLASS,
+                "R2 less that of the fixed position, own constant",
+            ),
         ),
     ),
     Claim(
@@ -77,6 +105,8 @@ CLAIMS = (
             (COVERAGE, FITTED_MAP, "share of flights inside the predicted intervals"),
         ),
         (
+            (R2_RADIAL, ANY_ANGLE, "R2 with the start angle unknown"),
+            (R2_OVER_FIXED_MEAN, FITTED_MAP, "R2 less that of the fixed position's mean bias"),
             (R2_RADIAL, TRUE_PARAMETERS, "R2 of the true maps, mounting unknown: the ceiling"),
             (R2_SHORTFALL, FITTED_MAP, "ceiling less R2 of the fitted map"),
             (MOUNTING_SHARE, "", "share of the mean square error due to mounting"),
@@ -88,8 +118,8 @@ CLAIMS = (
 
 @dataclass(frozen=True)
 class JudgedClaim:
-    """A claim and its scores: those of each class, which decide, those over all classes, and by
-    class those that explain it."""
+    """A claim and its scores: those of each class, which decide, those over all classes, and those
+    that explain it."""
 
     claim: Claim
     by_class: Sequence[Score]
@@ -122,29 +152,14 @@ class JudgedClaim:
         """Names of the classes that decide."""
         return list(dict.fromkeys(score.mission_class for score in self.by_class))
 
-    def find_exceptions(self) -> list[str]:
-        """Class, requirement and figure of each score that does not hold."""
-        return [
-            f"{s.mission_class}: {name_requirement(self.claim, s)} {format_score(s)}, required "
-            f"{s.asked}: {s.verdict}"
-            for s in self.by_class
-            if s.verdict != HOLDS
-        ]
-
-    def explain_exceptions(self) -> list[str]:
-        """For each class in which the claim does not hold, the figures that explain it."""
-        lines = []
-        for name in self.classes:
-            found = [s for s in self.beside if s.mission_class == name]
-            if found and self.judge_class(name) != HOLDS:
-                words = (f"{name_requirement(self.claim, s)} {format_score(s)}" for s in found)
-                lines.append(f"{name}: {', '.join(words)}")
-        return lines
-
 
 def judge_claims(data: StudyData, calibration: str) -> list[JudgedClaim]:
     """The claims on the judged triads of a calibration; none without scores."""
-    scores = [s for s in data.scores if s.calibration == calibration and not s.shuffled]
+    order = {name: place for place, name in enumerate(data.classes, 1)}
+    scores = sorted(
+        (s for s in data.scores if s.calibration == calibration and not s.shuffled),
+        key=lambda s: order.get(s.mission_class, 0),
+    )
     judged = [_judge(claim, scores) for claim in CLAIMS]
     return [each for each in judged if each.by_class]
 
@@ -167,47 +182,75 @@ def judge_conditions(data: StudyData) -> list[JudgedClaim]:
     return [_judge(claim, scores) for claim in CLAIMS]
 
 
-def list_failures(data: StudyData) -> list[tuple[str, int, list[str]]]:
-    """Claim (d): each condition, its number of triads, and what fails there, with its figure."""
+@dataclass(frozen=True)
+class ConditionResult:
+    """What the claims come to in a condition of claim (d).
+
+    name: of the condition; n: number of triads; figures: claim, requirement and figure of each
+    score, by its verdict.
+    """
+
+    name: str
+    n: int
+    figures: Mapping[str, Sequence[str]]
+
+    @property
+    def lines(self) -> list[str]:
+        """What fails, what its interval leaves undecided, what holds."""
+        return [
+            f"{verdict}: {'; '.join(figures) or NO_FAILURE}"
+            for verdict, figures in self.figures.items()
+            if figures or verdict == FAILS
+        ]
+
+
+def list_conditions(data: StudyData) -> list[ConditionResult]:
+    """Claim (d), a result for each condition."""
     judged = judge_conditions(data)
+
+    def describe(name: str, verdict: str) -> list[str]:
+        return [
+            f"({each.claim.letter}) {name_requirement(each.claim, s)} {format_score(s)}"
+            for each in judged
+            for s in each.by_class
+            if (s.mission_class, s.verdict) == (name, verdict)
+        ]
+
     return [
-        (
+        ConditionResult(
             name,
             max(s.n for each in judged for s in each.by_class if s.mission_class == name),
-            [
-                f"({each.claim.letter}) {name_requirement(each.claim, s)} {format_score(s)}"
-                for each in judged
-                for s in each.by_class
-                if s.mission_class == name and s.verdict == FAILS
-            ],
+            {verdict: describe(name, verdict) for verdict in (FAILS, UNDECIDED, HOLDS)},
         )
         for name in (data.conditions.classes if data.conditions else [])
     ]
 
 
 def describe_claim(judged: JudgedClaim) -> str:
-    """A claim, its verdict, its figures over all classes, and where it does not hold."""
-    figures = "; ".join(
-        f"{name_requirement(judged.claim, s)} {format_score(s)}"
-        for s in judged.overall or judged.by_class
-    )
+    """A claim with its verdict; below it a line for each figure, by class."""
     kinds = f"{len(judged.classes)} class{'es' if len(judged.classes) > 1 else ''}"
-    line = (
-        f"({judged.claim.letter}) {judged.claim.statement}: {judged.verdict.upper()}. "
-        f"{figures[:1].upper()}{figures[1:]} (n = {judged.n} triads, {kinds})."
-    )
-    if exceptions := judged.find_exceptions():
-        line += f" Not shown in {'; '.join(exceptions)}."
-    if explained := judged.explain_exceptions():
-        line += f" Beside it, {'; '.join(explained)}."
-    return line
+    lines = [
+        f"({judged.claim.letter}) {judged.claim.statement}: {judged.verdict.upper()} "
+        f"(n = {judged.n} triads, {kinds})."
+    ]
+    scores = [*judged.overall, *judged.by_class, *judged.beside]
+    for kind in dict.fromkeys((s.score, s.predictor) for s in scores):
+        here = [s for s in scores if (s.score, s.predictor) == kind]
+        words, asked = name_requirement(judged.claim, here[0]), here[0].asked
+        head = f"{words}, required {asked}" if asked else f"beside it: {words}"
+        figures = (
+            f"{s.mission_class} {format_score(s)} {'' if s.mission_class == ALL else s.verdict}"
+            for s in here
+        )
+        lines.append(f"    {head}: {'; '.join(each.rstrip() for each in figures)}")
+    return "\n".join(lines)
 
 
 def describe_conditions(data: StudyData) -> list[str]:
-    """Claim (d) in words: a line for each condition."""
+    """Claim (d) in words: a line for each condition, and below it one for each verdict."""
     return [
-        f"{name} ({n} triads, linear flights): {'; '.join(failing) or NO_FAILURE}."
-        for name, n, failing in list_failures(data)
+        "\n    ".join([f"{each.name} ({each.n} triads, linear flights)", *each.lines])
+        for each in list_conditions(data)
     ]
 
 
@@ -234,7 +277,7 @@ def _judge(claim: Claim, scores: Sequence[Score]) -> JudgedClaim:
         claim,
         [s for s in asked if s.mission_class != ALL],
         [s for s in asked if s.mission_class == ALL],
-        [s for s in beside if s.mission_class != ALL],
+        beside,
     )
 
 

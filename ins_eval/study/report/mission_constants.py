@@ -42,7 +42,8 @@ SMALLEST_STABILITY = 1e-6
 """Range of stabilities that are accepted, deg/h."""
 SENTENCE = (
     "{test}, {stability} deg/h: {median} after {hours} h of {mission}; {level} % interval {range}; "
-    "by the usual rule {rule}; the test ranks gyros with Spearman {spearman}{beyond}"
+    "by the usual rule {rule}; the test ranks gyros with Spearman {spearman} "
+    "(linear model, start angle averaged out){beyond}"
 )
 """A prediction in words, in the terminal and on the page."""
 BEYOND = "; beyond the study's triads, which have {smallest} to {largest} deg/h"

@@ -93,7 +93,14 @@ def _round(value: float) -> float | int | None:
 
 R2 = IntervalAxis(-0.2, 1.0, 1.0)
 RATIO = IntervalAxis(0.1, 100.0, 1.0, log=True)
+SKILL = IntervalAxis(-0.5, 1.0, 0.0)
 CORRELATION = IntervalAxis(-0.5, 1.0, 0.0)
+R2_GAINS = (
+    score.R2_OVER_FIXED,
+    score.R2_OVER_CLASS,
+    score.R2_OVER_FIXED_MEAN,
+    score.R2_SHORTFALL,
+)
 DIFFERENCE = IntervalAxis(0.0, 0.05, 0.01)
 
 
@@ -136,22 +143,30 @@ def _render_ratios(data: StudyData) -> str:
     lead = (
         "1 is an accurate prediction; at 10 the flown error is ten times the predicted one. The "
         "usual rule takes 0.01 deg/h for 1 nmi/h; the class constant is that of a mission class, "
-        "from linear flights of the training triads."
+        "from linear flights of the training triads. It makes any figure right in the median, so "
+        "that the circumference must also save interval score over figures that know less."
     )
     constants = render_matrices(data, score.CLASS_CONSTANT, RATIO)
-    return make_paragraph(lead) + render_matrices(data, score.MEDIAN_RATIO, RATIO) + constants
+    skills = (
+        render_matrices(data, key, SKILL)
+        for key in (score.SKILL_OVER_FIXED, score.SKILL_OVER_CLASS)
+    )
+    ratios = render_matrices(data, score.MEDIAN_RATIO, RATIO)
+    return make_paragraph(lead) + ratios + "".join(skills) + constants
 
 
 def _render_ranking(data: StudyData) -> str:
     lead = (
-        "Does a gyro that the bench finds better also fly better? The rms over power-on angles "
-        "removes the luck of a single flight; these flights are too many and linear. On the bench "
-        "and in flight the electronics start the pattern at the same angle; one figure tells what "
-        "turn-ons would show if patterns started anywhere."
+        "Does a gyro that the bench finds better also err less? The upper table and the dots are "
+        "of the linear model: the rms over 16 power-on angles and three mountings removes the luck "
+        "of a single flight, and is not flown. The population draws a gyro's noise independently "
+        "of its map, so that the fixed position's rank is 0 by construction. The last tables have "
+        "the co-simulated flights, each from one start angle."
     )
     ranks = render_matrices(data, score.SPEARMAN, CORRELATION)
     flights = render_matrices(data, score.FLIGHT_SPEARMAN, CORRELATION)
-    return make_paragraph(lead) + render_ranking(data) + ranks + flights
+    gains = render_matrices(data, score.FLIGHT_SPEARMAN_GAIN, CORRELATION)
+    return make_paragraph(lead) + render_ranking(data) + ranks + flights + gains
 
 
 def _render_coverage(data: StudyData) -> str:

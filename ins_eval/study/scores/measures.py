@@ -21,15 +21,52 @@ def compute_component_r2(flown: Array, predicted: Array) -> Array:
     return 1 - _divide(residual, np.sum(flown**2, axis=(-3, -2, -1)))
 
 
-def compute_r2_shortfall(flown: Array, predicted: Array, ceiling: Array) -> Array:
-    """(...,) R2 of `ceiling`, the best possible predictions, less that of `predicted` (Eq. 11)."""
-    return compute_r2(flown, ceiling) - compute_r2(flown, predicted)
-
-
 def compute_power_share(flown: Array, part: Array) -> Array:
     """(...,) mean square of `part` over that of the flown errors (..., r, m, 2)."""
     power, whole = (np.sum(each**2, axis=(-3, -2, -1)) for each in (part, flown))
     return _divide(power, whole)
+
+
+def compute_r2_gain(flown: Array, predicted: Array, reference: Array) -> Array:
+    """(...,) R2 of predictions less that of others for the same flights (Eq. 11)."""
+    return compute_r2(flown, predicted) - compute_r2(flown, reference)
+
+
+def compute_interval_score(
+    flown: Array, low: Array, median: Array, high: Array, inside: float
+) -> Array:
+    """(...,) mean weighted interval score of errors (..., r, m): a proper score, in their unit.
+
+    It approximates the continuous ranked probability score by a median and one central interval
+    (Bracher et al. 2021, doi 10.1371/journal.pcbi.1008618, Eq. 1 to 3 with K = 1); smaller is
+    better.
+
+    Args:
+        inside: probability of the interval from `low` to `high`.
+    """
+    outside = 1 - inside
+    missed = np.maximum(low - flown, 0) + np.maximum(flown - high, 0)
+    interval = high - low + 2 / outside * missed
+    score = (np.abs(flown - median) / 2 + outside / 2 * interval) / 1.5
+    return np.asarray(score.mean(axis=(-2, -1)))
+
+
+def compute_skill(
+    flown: Array,
+    low: Array,
+    median: Array,
+    high: Array,
+    reference_low: Array,
+    reference_median: Array,
+    reference_high: Array,
+    inside: float,
+) -> Array:
+    """(...,) 1 less the interval score of predictions over that of a reference (Eq. 15a)."""
+    own = compute_interval_score(flown, low, median, high, inside)
+    reference = compute_interval_score(
+        flown, reference_low, reference_median, reference_high, inside
+    )
+    return 1 - _divide(own, reference)
 
 
 def compute_median_ratio(flown: Array, predicted: Array) -> Array:
@@ -46,6 +83,11 @@ def compute_flight_spearman(flown: Array, figure: Array) -> Array:
     """(...,) Spearman's rank correlation over triads (..., r, m), mean over missions."""
     ranked = (np.swapaxes(rankdata(each, axis=-2), -1, -2) for each in (flown, figure))
     return np.asarray(np.mean(_correlate(*ranked), axis=-1))
+
+
+def compute_flight_spearman_gain(flown: Array, figure: Array, reference: Array) -> Array:
+    """(...,) `compute_flight_spearman` of a bench figure less that of another one."""
+    return compute_flight_spearman(flown, figure) - compute_flight_spearman(flown, reference)
 
 
 def _rank_gyros(values: Array) -> Array:

@@ -18,26 +18,27 @@ from ins_eval.study.tables.columns import (
     CIRCUMFERENCE_CLASS,
     CIRCUMFERENCE_RULE,
     FITTED_MAP,
+    FIXED_CLASS,
     FIXED_RULE,
 )
-from ins_eval.study.tables.score import ALL, R2_RADIAL, SPEARMAN
+from ins_eval.study.tables.score import ALL, FLIGHT_SPEARMAN, R2_RADIAL
 from pyhrg.common.pages.svg import format_interval
 from pyhrg.common.units import HOUR, NAUTICAL_MILE
 
 FIXED_COLOUR, CIRCUMFERENCE_COLOUR, MAP_COLOUR = "#d55e00", "#0072b2", "#009e73"
 """Colours of the tests, those of the page."""
 COLOURS = {
-    FIXED_RULE: FIXED_COLOUR,
+    FIXED_CLASS: FIXED_COLOUR,
     CIRCUMFERENCE_CLASS: CIRCUMFERENCE_COLOUR,
     FITTED_MAP: MAP_COLOUR,
 }
 NAMES = {
-    FIXED_RULE: "fixed position, usual rule",
+    FIXED_CLASS: "fixed position, class constant",
     CIRCUMFERENCE_CLASS: "full circumference, class constant",
     FITTED_MAP: "fitted map and trajectory",
 }
-RANKING = {FIXED_RULE: FIXED_RULE, CIRCUMFERENCE_CLASS: CIRCUMFERENCE_RULE}
-"""Bench figure whose rank correlation stands beside a predictor."""
+RANKING = {FIXED_CLASS: FIXED_RULE, CIRCUMFERENCE_CLASS: CIRCUMFERENCE_RULE}
+"""Bench figure that ranks the drawn flights as the predictor does, by the predictor."""
 MARKERS = "o^sDvP*X<"
 
 
@@ -74,7 +75,10 @@ def draw_lead(axes: Axes, case: LeadCase) -> None:
     axes.set_yscale("log")
     axes.set_xlabel("time since alignment, h")
     axes.set_ylabel(f"horizontal position error, {NMI}, log axis")
-    axes.set_title(f"The gyro of the paper's Table 2, mean removed: {case.mission}", fontsize=11)
+    axes.set_title(
+        f"Gyro of the paper's Table 2 in a {case.mission}, circumference's mean removed",
+        fontsize=11,
+    )
     _finish(axes)
 
 
@@ -85,7 +89,7 @@ def draw_scatter(axes: Axes, data: StudyData, calibration: str) -> None:
     judged = table[(table[c.ROLE] == TEST) & (table[c.CALIBRATION] == calibration)]
     classes = list(dict.fromkeys(judged[c.CLASS]))
     for key, colour in COLOURS.items():
-        label = f"{NAMES[key]}; {_describe(data, calibration, key)}"
+        label = f"{NAMES[key]}: {_describe(data, calibration, key)}"
         for place, name in enumerate(classes):
             rows = judged[judged[c.CLASS] == name]
             predicted, flown = _read(rows, c.PREDICTOR_OF[key].median), _read(rows, c.FLOWN_RADIAL)
@@ -114,11 +118,17 @@ def draw_scatter(axes: Axes, data: StudyData, calibration: str) -> None:
 
 
 def _describe(data: StudyData, calibration: str, key: str) -> str:
-    """Rank correlation of the bench figure over start angles, or R2 of the fitted map."""
-    name, predictor = (SPEARMAN, RANKING[key]) if key in RANKING else (R2_RADIAL, key)
-    found = data.select(name, predictor=predictor, calibration=calibration, mission_class=ALL)
-    word = "Spearman" if name == SPEARMAN else "R2"
-    return f"{word} {format_interval(found[0].value, found[0].low, found[0].high)}" if found else ""
+    """R2 of the drawn flights, and of a bench test their rank correlation with its figure."""
+    kinds = [("R2", R2_RADIAL, key)]
+    if key in RANKING:
+        kinds.append(("rank", FLIGHT_SPEARMAN, RANKING[key]))
+    return ", ".join(
+        f"{word} {format_interval(each.value, each.low, each.high)}"
+        for word, name, predictor in kinds
+        for each in data.select(
+            name, predictor=predictor, calibration=calibration, mission_class=ALL
+        )
+    )
 
 
 def _format(miles: float) -> str:

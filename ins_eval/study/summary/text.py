@@ -19,22 +19,33 @@ from ins_eval.study.tables import columns as c
 from ins_eval.study.tables.columns import (
     CIRCUMFERENCE_CLASS,
     CIRCUMFERENCE_RULE,
+    CLASS_ERROR,
     FITTED_MAP,
     FIXED_CLASS,
+    FIXED_MEAN,
     FIXED_RULE,
 )
 from ins_eval.study.tables.score import (
     AGREEMENT,
     CLASS_CONSTANT,
     MEDIAN_RATIO,
+    RANGE,
     STEADY_AGREEMENT,
     Score,
 )
 from pyhrg.common.arrays import Array
-from pyhrg.common.pages.svg import format_interval
+from pyhrg.common.pages.svg import format_estimate, format_interval
 from pyhrg.common.units import HOUR
 
-SHOWN_PREDICTORS = (FIXED_RULE, CIRCUMFERENCE_RULE, FIXED_CLASS, CIRCUMFERENCE_CLASS, FITTED_MAP)
+SHOWN_PREDICTORS = (
+    FIXED_RULE,
+    CIRCUMFERENCE_RULE,
+    FIXED_CLASS,
+    CIRCUMFERENCE_CLASS,
+    CLASS_ERROR,
+    FIXED_MEAN,
+    FITTED_MAP,
+)
 """Predictors in validation.json."""
 
 
@@ -83,8 +94,8 @@ class Outcome:
         return self.flights[c.PREDICTOR_OF[key].median].to_numpy(float)
 
     def get_predicted_growth(self, key: str) -> Array:
-        """(k,) median over the triads of a stability rule's prediction at `time`, m; the rule is
-        proportional to time."""
+        """(k,) median over the triads of a prediction at `time`, m, by the usual rule or by a class
+        constant, which are proportional to time."""
         return np.asarray(np.median(self.get_predicted(key)) * self.time / self.time[-1])
 
     def ratio(self, key: str) -> Score:
@@ -146,12 +157,15 @@ def state_verdict(data: StudyData) -> str:
             found = data.select(key, calibration=calibration)
             lines += [
                 f"Without noise the linear model differs from the co-simulation {flights} by "
-                f"{_format_percent(s)} ({s.mission_class}, {s.n} triads): {s.verdict}."
+                f"{_format_difference(s)}."
                 for s in found
             ]
     conditions = describe_conditions(data)
     if conditions:
-        lines += ["(d) Claims that fail in conditions:", *(f"  {line}" for line in conditions)]
+        lines += [
+            "(d) The claims in other conditions:",
+            *(f"  {line}" for line in conditions),
+        ]
     return "\n".join(lines)
 
 
@@ -167,8 +181,9 @@ def _describe(outcome: Outcome, data: StudyData) -> Iterator[str]:
     ):
         yield f"  {title:<{WIDTH}}{outcome.flights[column].median():.2g} deg/h"
     for title, key in (
-        ("predicted from the fixed position", FIXED_RULE),
-        ("predicted from the full circumference", CIRCUMFERENCE_RULE),
+        ("predicted from the fixed position, usual rule", FIXED_RULE),
+        ("predicted from the full circumference, usual rule", CIRCUMFERENCE_RULE),
+        ("predicted from the fixed position's mean bias", FIXED_MEAN),
         ("predicted from the fitted map", FITTED_MAP),
     ):
         yield f"  {title:<{WIDTH}}{format_distance(float(np.median(outcome.get_predicted(key))))}"
@@ -184,5 +199,11 @@ def _describe(outcome: Outcome, data: StudyData) -> Iterator[str]:
     yield ""
 
 
-def _format_percent(score: Score) -> str:
-    return f"{format_interval(100 * score.value, 100 * score.low, 100 * score.high)} %"
+def _format_difference(score: Score) -> str:
+    """A share in percent with its group and verdict; of few triads the range and no verdict."""
+    numbers = (100 * score.value, 100 * score.low, 100 * score.high)
+    group = f"{score.mission_class}, {score.n} triads"
+    if score.confidence == RANGE:
+        value, low, high = format_estimate(*numbers)
+        return f"{value} % ({group}; the single ones by {low} to {high} %; no interval, no verdict)"
+    return f"{format_interval(*numbers)} % ({group}): {score.verdict}"

@@ -55,6 +55,7 @@ class Predictor:
 
 FIXED_RULE, CIRCUMFERENCE_RULE = "fixed_rule", "circumference_rule"
 FIXED_CLASS, CIRCUMFERENCE_CLASS = "fixed_class", "circumference_class"
+CLASS_ERROR, FIXED_MEAN = "class_error", "fixed_mean"
 FITTED_MAP, ANY_ANGLE, TRUE_PARAMETERS = "fitted_map", "fitted_map_any_angle", "true_parameters"
 PREDICTORS = (
     Predictor(FIXED_RULE, "Fixed position", "fixed-position stability, 0.01 deg/h ~ 1 nmi/h"),
@@ -70,6 +71,16 @@ PREDICTORS = (
         CIRCUMFERENCE_CLASS,
         "Full circumference, class constant",
         "full-circumference stability times the constant of the mission class",
+    ),
+    Predictor(
+        CLASS_ERROR,
+        "Class alone, no bench test",
+        "error of the training triads in the mission class, the same for every triad",
+    ),
+    Predictor(
+        FIXED_MEAN,
+        "Fixed position, mean bias",
+        "mean bias of the fixed-position test as a constant rate; the flight starts at that angle",
     ),
     Predictor(FITTED_MAP, "Fitted map", "the bench's maps; temperature and power-on angle known"),
     Predictor(ANY_ANGLE, "Fitted map, start anywhere", "the bench's maps; power-on angle unknown"),
@@ -107,7 +118,7 @@ COSIMULATED, LINEAR = "co-simulated", "linear"
 """How a flight was flown: values of `FLOWN_BY`."""
 FIXED_STABILITY, CIRCUMFERENCE_STABILITY = "fixed_stability_deg_h", "circumference_stability_deg_h"
 MAP_RMS = "map_rms_deg_h"
-GYROS_FLOWN, GYROS_FITTED = "gyros_flown_rms_over_angles_m", "gyros_fitted_rms_over_angles_m"
+GYROS_LINEAR, GYROS_FITTED = "gyros_linear_rms_over_angles_m", "gyros_fitted_rms_over_angles_m"
 GYROS_FIXED, GYROS_CIRCUMFERENCE = "gyros_fixed_stability_deg_h", "gyros_circumference_deg_h"
 GYROS_TURN_ON = "gyros_turn_on_repeatability_deg_h"
 GYROS_TURN_ON_ANYWHERE = "gyros_turn_on_anywhere_deg_h"
@@ -142,7 +153,13 @@ COLUMNS = (
     Column(FIXED_STABILITY, "number", "deg/h", "bench: fixed-position stability, rms of the gyros"),
     Column(CIRCUMFERENCE_STABILITY, "number", "deg/h", "bench: full-circumference stability, rms"),
     Column(MAP_RMS, "number", "deg/h", "bench: rms of the fitted bias maps over the circumference"),
-    Column(GYROS_FLOWN, "numbers", "m", "each gyro: rms error over power-on angles and mountings"),
+    Column(
+        GYROS_LINEAR,
+        "numbers",
+        "m",
+        "each gyro: rms error by its true map alone, linear model, over 16 power-on angles and "
+        "three mountings; not flown",
+    ),
     Column(GYROS_FITTED, "numbers", "m", "each gyro: the same rms error by the bench's maps"),
     Column(GYROS_FIXED, "numbers", "deg/h", "bench: fixed-position stability of each gyro"),
     Column(GYROS_TURN_ON, "numbers", "deg/h", "bench: repeatability over turn-ons of each gyro"),

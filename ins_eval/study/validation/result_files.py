@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Sequence
+from dataclasses import asdict
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -10,16 +11,29 @@ import numpy as np
 import pandas as pd
 
 from ins_eval.common.metrics import median_interval
-from ins_eval.study.report.claims import describe_conditions, judge_claims
+from ins_eval.study.report.claims import judge_claims, list_conditions
 from ins_eval.study.report.lead_case import LeadCase, read_lead_case
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.summary.figure import draw_figure
 from ins_eval.study.summary.text import SHOWN_PREDICTORS, Outcome, list_outcomes
-from ins_eval.study.tables.columns import CIRCUMFERENCE_RULE, FIXED_RULE, TRIAD
+from ins_eval.study.tables.columns import (
+    CIRCUMFERENCE_CLASS,
+    CIRCUMFERENCE_RULE,
+    FIXED_CLASS,
+    FIXED_RULE,
+    TRIAD,
+)
 from ins_eval.study.tables.score import AGREEMENT, CLASS_CONSTANT, STEADY_AGREEMENT
 from pyhrg.common.units import NAUTICAL_MILE
 
-SCHEMA = "hrg-validation/3"
+SCHEMA = "hrg-validation/4"
+PREDICTED = {
+    "fixed_position_usual_rule": FIXED_RULE,
+    "full_circumference_usual_rule": CIRCUMFERENCE_RULE,
+    "fixed_position_class_constant": FIXED_CLASS,
+    "full_circumference_class_constant": CIRCUMFERENCE_CLASS,
+}
+"""Predictors in position_error.csv by the middle of their columns' names; all grow with time."""
 DOCUMENT, TABLE, FIGURE = "validation.json", "position_error.csv", "validation.png"
 FILES = (DOCUMENT, TABLE, FIGURE)
 
@@ -41,7 +55,7 @@ def _make_document(data: StudyData, outcomes: Sequence[Outcome]) -> dict[str, An
         "seed": data.about["seed"],
         **({} if case is None else _describe_lead(case)),
         "claims": {key: _describe_claims(data, key) for key in data.calibrations},
-        "where_claims_fail": describe_conditions(data),
+        "conditions": [asdict(condition) for condition in list_conditions(data)],
         "class_constants": [score.describe() for score in data.select(CLASS_CONSTANT)],
         "flights": [_describe(outcome) for outcome in outcomes],
         "linear_to_cosimulated": [
@@ -52,9 +66,10 @@ def _make_document(data: StudyData, outcomes: Sequence[Outcome]) -> dict[str, An
 
 def _describe_lead(case: LeadCase) -> dict[str, Any]:
     """The lead case; all its flights are co-simulated."""
-    flown = case.final / NAUTICAL_MILE
+    flown, interval = case.final / NAUTICAL_MILE, case.median_interval
     return {
-        "case": f"{case.device}, mean removed, {case.mission}, {case.time[-1] / 3600:g} h",
+        "case": f"{case.device}, mean over the circumference removed, {case.mission}, "
+        f"{case.time[-1] / 3600:g} h",
         "predicted": {
             "fixed_position": {
                 "bias_stability_deg_h": case.fixed_stability,
@@ -67,6 +82,7 @@ def _describe_lead(case: LeadCase) -> dict[str, Any]:
         },
         "flown": {
             "radial_error_nmi": float(np.median(flown)),
+            "interval_95_nmi": interval and [end / NAUTICAL_MILE for end in interval],
             "smallest_nmi": float(flown.min()),
             "largest_nmi": float(flown.max()),
             "n": len(flown),
@@ -122,8 +138,7 @@ def _write_table(outcomes: Sequence[Outcome], path: Path) -> None:
         "calibration",
         "mission",
         "time_s",
-        "predicted_fixed_position_m",
-        "predicted_full_circumference_m",
+        *(f"predicted_{name}_m" for name in PREDICTED),
         "flown_median_m",
         "flown_median_low_m",
         "flown_median_high_m",
@@ -131,9 +146,9 @@ def _write_table(outcomes: Sequence[Outcome], path: Path) -> None:
     ]
     rows = []
     for outcome in outcomes:
-        predicted = [outcome.get_predicted_growth(key) for key in (FIXED_RULE, CIRCUMFERENCE_RULE)]
-        for time, *rules, flown in zip(outcome.time, *predicted, outcome.growth.T, strict=True):
-            numbers = [float(time), *rules, np.median(flown), *median_interval(flown), *flown]
+        predicted = [outcome.get_predicted_growth(key) for key in PREDICTED.values()]
+        for time, *medians, flown in zip(outcome.time, *predicted, outcome.growth.T, strict=True):
+            numbers = [float(time), *medians, np.median(flown), *median_interval(flown), *flown]
             rows.append((outcome.calibration, outcome.mission, *numbers))
     table = pd.DataFrame(rows, columns=columns)
     table.to_csv(path, index=False, float_format="%.6g", na_rep="nan", lineterminator="\r\n")

@@ -60,7 +60,7 @@ def validate(
     study = plan_validation(
         seed=seed, hours=hours, triads=triads, calibration=calibration, trajectory=trajectory
     )
-    study_experiment = make_experiment()
+    study_experiment = make_experiment(study)
 
     def conclude(study: Study, arrays: Arrays, folder: Path) -> None:
         study_experiment.conclude(study, arrays, folder)

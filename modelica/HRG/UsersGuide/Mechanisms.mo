@@ -9,7 +9,7 @@ Earth too, whose rate is 9.65 deg/h about a vertical axis at 39.9 degrees of lat
 <table border=\"1\">
 <tr><th>#</th><th>mechanism</th><th>parameter or input</th><th>closed form</th></tr>
 <tr><td>1</td><td>damping anisotropy</td><td><code>resonator.material.dampingAnisotropy</code>, <code>dampingAxis</code></td><td>B = -(D/4k) s4', G = 1/tau + (D/2) c4'</td></tr>
-<tr><td>2</td><td>pick-off gain mismatch</td><td><code>pickOff.gainMismatch</code></td><td>angle +(g/4k) s4, so a rate error of -W g c4; B = +(g/4k tau) s4, G -(g/2 tau) c4</td></tr>
+<tr><td>2</td><td>pick-off gain mismatch</td><td><code>pickOff.gainMismatch</code></td><td>angle +(g/4k) s4, so a rate error of -W g c4; B = +(g/4k tau) s4, G -(g/2 tau) c4; second order: scale factor -g (g + gd)/4</td></tr>
 <tr><td>3</td><td>drive gain mismatch</td><td><code>drive.gainMismatch</code></td><td>B and G as 2, nothing in the angle; with 2, under a virtual rotation R: rate +((g + gd)/2) R c4</td></tr>
 <tr><td>4</td><td>pick-off non-orthogonality</td><td><code>pickOff.nonOrthogonality</code></td><td>angle -(d/4k)(1 + c4), so a rate error of -W d s4; B = -(d/4k tau)(1 + c4), G -(d/2 tau) s4</td></tr>
 <tr><td>5</td><td>drive non-orthogonality</td><td><code>drive.nonOrthogonality</code></td><td>B and G as 4, nothing in the angle; with 4, under a virtual rotation R: rate +((d + nd)/2) R s4</td></tr>

@@ -113,13 +113,9 @@ def _sum(one: AngleMap, other: AngleMap) -> AngleMap:
 def _bias(
     name: str, positions: RestRateMap, rates: ScaleFactorMap, earth: float, n: int
 ) -> Finding:
-    """A term of the position test, over runs where there are three, else of the first, less Earth's
-    rate times the scale factor's (degrees of freedom: F. E. Satterthwaite, 1946)."""
-    fit, values = positions.fits[0], [fit.value(name) for fit in positions.fits]
-    value, error, freedom = values[0], fit.deviation(name), float(fit.freedom)
-    if len(values) > 2:
-        error = float(np.std(values, ddof=1) / np.sqrt(len(values)))
-        value, freedom = float(np.mean(values)), len(values) - 1.0
+    """A term of the position test (`RestRateMap.estimate`) less Earth's rate times the scale
+    factor's (degrees of freedom: F. E. Satterthwaite, 1946)."""
+    value, error, freedom = positions.estimate(name)
     term = SCALE if name == MEAN else f"{SCALE} {name}"
     if term in rates.fit.names:
         value -= earth * rates.fit.value(term)

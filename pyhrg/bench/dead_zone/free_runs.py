@@ -106,5 +106,7 @@ def _panel(axes: Axes, runs: Sequence[Run], lock: float, mean: float, rotation: 
     if runs:
         points = np.array([(run.rate, run.pattern_rate) for run in runs]) / DEG_PER_H
         axes.plot(*points.T, "o", color=BLUE, label="free runs")
+    else:
+        axes.plot([], [], " ", label="no free run")
     axes.set_xlabel("input rate W, deg/h")
     axes.grid(alpha=0.3)

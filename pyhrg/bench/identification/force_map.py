@@ -99,7 +99,8 @@ def evaluate(campaign: Campaign) -> Outcome:
         ),
         verdict=(
             "Quadrature force and loop frequency give the split and its axis (against the "
-            "pick-offs' axes); the amplitude force gives the sum of damping and electrodes alone."
+            "pick-offs' axes), to first order in the errors of pick-offs and drives; the amplitude "
+            "force gives the sum of damping and electrodes alone."
         ),
         draw=lambda figure: draw(figure, [force, frequency]),
         values={"terms": force.fit.terms},

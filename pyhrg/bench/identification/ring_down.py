@@ -50,7 +50,7 @@ noise, which the fit takes for white; at pi/2 a pattern may be a circle, whose a
 def make_programme(bench: Bench, positions: int = POSITIONS, decay: float = DECAY) -> Programme:
     """One power-on: at each angle the pattern is brought to amplitude, then left alone."""
     split = bench.device.frequency_split
-    enough = LARGEST_SPLIT_ANGLE > SHORTEST_ROWS * INTERVAL * split
+    enough = SHORTEST_ROWS * INTERVAL * split < LARGEST_SPLIT_ANGLE
     course = bench.programme(INTERVAL if enough else FINE_INTERVAL)
     for position in range(positions):
         if position:

@@ -49,10 +49,10 @@ def find_noise_records(log: Log) -> list[NoiseRecord]:
     stretches = list(_find_steady(log))
     long = [part for part in stretches if part.stop - part.start >= MIN_SAMPLES]
     if not long:
-        longest = max((part.stop - part.start for part in stretches), default=0)
+        longest = max((p.stop - p.start for p in _find_steady(log, 0.0, 0.0)), default=0)
         raise BenchError(
-            f"{log.source}: no stretch at rest with constant commands has {MIN_SAMPLES} rows; "
-            f"the longest has {longest}"
+            f"{log.source}: no stretch at rest with constant commands has {MIN_SAMPLES} rows "
+            f"{WARM_UP:g} s after power-on; the longest has {longest} in all"
         )
     return [_make_record(log, part) for part in long]
 
@@ -61,18 +61,19 @@ SETTLE = 10.0
 """Time after the change of a command that is not used, s; the loops' transient lasts about 1 s."""
 
 
-def _find_steady(log: Log) -> Iterator[slice]:
-    """Rows of each stretch without gap, with the drive on, constant commands and table at rest."""
+def _find_steady(log: Log, settle: float = SETTLE, warm_up: float = WARM_UP) -> Iterator[slice]:
+    """Rows of each stretch without gap, with the drive on, constant commands and table at rest,
+    from `settle` seconds after a command and `warm_up` seconds after power-on."""
     log.require("table_angle", "virtual_rotation", "drive_on", "gyro_angle", "wave_angle")
     held = [log.virtual_rotation, log.drive_on, log.amplitude_setpoint, log.phase_offset]
     changed = np.any(np.diff(np.nan_to_num(held), axis=1, prepend=0.0) != 0, axis=0)
     turned = np.abs(np.diff(log.table_angle, prepend=log.table_angle[:1])) >= AT_REST
     broken = changed | turned | (log.drive_on < 0.5)
-    warm = int(np.searchsorted(log.time, WARM_UP))
-    settle = round(SETTLE / log.interval)
+    warm = int(np.searchsorted(log.time, warm_up))
+    settled = round(settle / log.interval)
     for part in log.stretches("gyro_angle", "wave_angle", "virtual_rotation", "table_angle"):
         for before, after in split_rows(part, broken[part]):
-            first = max(before + (settle if broken[before] else 0), warm)
+            first = max(before + (settled if broken[before] else 0), warm)
             if after > first:
                 yield slice(first, after)
 

@@ -104,21 +104,22 @@ def read_segments(
     """
     rows = round(length / log.interval)
     late = int(np.searchsorted(log.time, warm_up - 1e-9))
-    points, longest = [], 0.0
+    points = []
     number, last_angle = -1, math.inf
     for rest in find_rests(log, settle):
         number += abs(log.wave_angle[rest.start] - last_angle) > SAME_POSITION
         last_angle = log.wave_angle[rest.stop - 1]
         first = max(rest.start, late)
-        longest = max(longest, (rest.stop - first - 1) * log.interval)
         points += [
             _read_point(log, site, begin, begin + rows, number)
             for begin in range(first, rest.stop - rows, rows)
         ]
     if not points:
+        longest = max((rest.stop - rest.start for rest in find_rests(log, 0.0)), default=0)
         raise BenchError(
             f"{log.source}: no rest of the table holds a segment of {length:g} s after {settle:g} s"
-            f" of settling; the longest has {longest:g} s"
+            f" of settling and {warm_up:g} s from power-on; the longest rest lasts "
+            f"{longest * log.interval:.6g} s"
         )
     return Points(*map(np.array, zip(*points, strict=True)))
 

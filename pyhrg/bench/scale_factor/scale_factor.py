@@ -94,6 +94,8 @@ def draw_both_ways(
 
 SCALE = "scale factor"
 BIAS = "bias"
+SECOND_ORDER = "of the nominal Bryan factor, with -g (g + gd)/4 of pick-offs and drives"
+"""The amplitude force makes the true amplitude follow the gain, and is misaimed by g and gd."""
 ORDERS = (4, 2, 8)
 """Harmonics of the map, the most important first."""
 
@@ -131,7 +133,7 @@ class ScaleFactorMap:
         )
         make = self.fit.finding
         return (
-            make(SCALE, "scale factor error", "ppm", note="of the nominal Bryan factor"),
+            make(SCALE, "scale factor error", "ppm", note=SECOND_ORDER),
             self.variation(),
             make(f"{SCALE} cos4", "pick-off gain mismatch", "ppm", -1.0),
             make(f"{SCALE} sin4", "pick-off non-orthogonality", "ppm", -1.0),

@@ -176,8 +176,8 @@ def _scale_factors(campaign: Campaign, turning: AngleFit) -> tuple[Finding, ...]
         read_bryan_factor(campaign),
     )
     return (
-        turning.finding(SCALE, "scale factor error on", "ppm"),
-        off.fit.finding(SCALE, "scale factor error off", "ppm"),
+        turning.finding(SCALE, "scale factor error on", "ppm", note="first order in g and gd"),
+        off.fit.finding(SCALE, "scale factor error off", "ppm", note="first order in g and gd"),
     )
 
 

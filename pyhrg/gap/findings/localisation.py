@@ -3,6 +3,7 @@
 The method is matching pursuit over candidate terms (docs/methods/verdict.md, Eq. (7)).
 """
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.design import Block, Design
+from pyhrg.gap.effects.linear_test import LinearTest
 
 Columns = Mapping[CandidateTerm, NDArray[np.int64]]
 """Columns of each term within a block."""
@@ -34,7 +36,8 @@ class Place:
 
     share: of the power of the whole gap.
     sigmas: root of its power, in sigma of the noise.
-    harmonic: number of the harmonic where the coordinate is an angle.
+    harmonic: number of the harmonic where the coordinate is an angle that moves by a period of it
+        or more in the test; otherwise harmonics are confounded.
     """
 
     test: str
@@ -45,9 +48,12 @@ class Place:
     harmonic: int | None = None
 
 
-def locate_gap(design: Design) -> tuple[Place, ...]:
+def locate_gap(
+    design: Design, travels: Mapping[tuple[str, str], float] | None = None
+) -> tuple[Place, ...]:
     """Places where the residual has more power than its noise, the largest share first. The design
-    is whitened by the stated noise.
+    is whitened by the stated noise. `travels` are the ranges of angles by test and coordinate, rad;
+    without them every harmonic is named.
 
     Within a channel, candidate terms are fitted and removed one by one: first with the same size in
     all tests, then in each test that has power left. Power that no term explains has the coordinate
@@ -62,7 +68,9 @@ def locate_gap(design: Design) -> tuple[Place, ...]:
         shared, blocks = _pursue_shared(blocks, columns)
         single = [(block.test, *part) for block in blocks for part in _pursue(block, columns)]
         for test, coordinate, harmonic, power in (*shared, *single):
-            key = (test, channel, coordinate, harmonic)
+            angle = (harmonic or 0) * (travels or {}).get((test, coordinate), math.inf)
+            is_seen = not harmonic or angle >= 2 * math.pi
+            key = (test, channel, coordinate, harmonic if is_seen else None)
             powers[key] = powers.get(key, 0.0) + power
     total = sum(powers.values())
     places = [
@@ -70,6 +78,16 @@ def locate_gap(design: Design) -> tuple[Place, ...]:
         for (test, channel, coordinate, harmonic), power in powers.items()
     ]
     return tuple(sorted(places, key=lambda place: -place.share))
+
+
+def measure_travels(parts: Sequence[LinearTest]) -> dict[tuple[str, str], float]:
+    """Ranges of the angles by test and coordinate, rad."""
+    return {
+        (part.test.test.id, angle): float(np.ptp(values[np.isfinite(values)]))
+        for part in parts
+        for angle in ("wave_angle", "table_angle")
+        for values in (getattr(part.test.log, angle),)
+    }
 
 
 def _pursue_shared(

@@ -73,9 +73,7 @@ def _build_bars(where: Sequence[Place]) -> str:
     if others:
         count = f"{len(order) - LISTED_BARS} others"
         rows.append((count, *show_share(others)))
-    title = (
-        "The same power by coordinate; while the pattern stands still, its harmonics are confounded"
-    )
+    title = "The same power by coordinate, with harmonics of angles that move by a period of them"
     return build_table(title, ("Channel and coordinate", "Share", ""), rows)
 
 

@@ -3,6 +3,7 @@ literature and the test that separates them.
 """
 
 import html
+from collections.abc import Collection
 from typing import NamedTuple
 
 from pyhrg.common.pages.markup import make_paragraph
@@ -27,13 +28,20 @@ from pyhrg.gap.report.words import (
 class Mechanism(NamedTuple):
     """A mechanism of `HRG.UsersGuide.Mechanisms`, by its number there.
 
-    name, source: in words; test: what shows this mechanism and not the others.
+    name, source: in words; test: what shows this mechanism and not the others; kinds: of the
+        campaign's tests that together are this test, none where they don't suffice.
     """
 
     name: str
     number: int
     source: str
     test: str
+    kinds: tuple[str, ...] = ()
+
+    def suggest_test(self, kinds: Collection[str]) -> str:
+        """A sentence on the test, after a space; empty where tests of these kinds are it."""
+        is_done = bool(self.kinds) and set(self.kinds) <= set(kinds)
+        return "" if is_done else f" To tell: {self.test}."
 
 
 XU = "Xu et al. (2024), doi:10.19306/j.cnki.2095-8110.2024.02.001"
@@ -43,7 +51,9 @@ PICKOFF_GAIN = "Actuators 14 (2025) 275"
 DRIVE_CHAIN = "Sensors 24 (2024) 4328"
 THERMAL = "Micromachines 16 (2025) 357"
 PHASE = "Sci. Rep. (2025) s41598-025-86288-1"
-_DAMPING = Mechanism("damping anisotropy", 1, LYNCH, "a ring-down: it acts with the drive off too")
+_DAMPING = Mechanism(
+    "damping anisotropy", 1, LYNCH, "a ring-down: it acts with the drive off too", ("ring_down",)
+)
 _MOUNTING = Mechanism(
     "anchor loss of the mounting",
     26,
@@ -55,28 +65,45 @@ _DRIVE_GAIN = Mechanism(
     3,
     DRIVE_CHAIN,
     "a commanded rotation: its error is in proportion to the command",
+    ("virtual_rotation",),
 )
-_DRIVE_AXES = Mechanism("drive non-orthogonality", 5, DRIVE_CHAIN, "a ring-down: it ends there")
+_DRIVE_AXES = Mechanism(
+    "drive non-orthogonality", 5, DRIVE_CHAIN, "a ring-down: it ends there", ("ring_down",)
+)
 _AUTHORITY = Mechanism(
-    "authority of the drive", 30, DRIVE_CHAIN, "an amplitude sweep: it begins at a threshold"
+    "authority of the drive",
+    30,
+    DRIVE_CHAIN,
+    "an amplitude sweep: it begins at a threshold",
+    ("amplitude",),
 )
 _PICKOFF_GAIN = Mechanism(
     "pick-off gain mismatch",
     2,
     PICKOFF_GAIN,
     "a rate test both ways: the 4th harmonic of the angle",
+    ("rate",),
 )
 _PICKOFF_AXES = Mechanism(
     "pick-off non-orthogonality",
     4,
     PICKOFF_GAIN,
     "a rate test both ways: the 4th harmonic, a quarter period later",
+    ("rate",),
 )
 _OFFSET = Mechanism(
-    "demodulation offset", 12, SENKAL, "an amplitude sweep: its angle falls with the amplitude"
+    "demodulation offset",
+    12,
+    SENKAL,
+    "an amplitude sweep: its angle falls with the amplitude",
+    ("amplitude",),
 )
 _CUBIC = Mechanism(
-    "pick-off cubic", 13, SENKAL, "an amplitude sweep: it grows with the square of the amplitude"
+    "pick-off cubic",
+    13,
+    SENKAL,
+    "an amplitude sweep: it grows with the square of the amplitude",
+    ("amplitude",),
 )
 _OVER_TEMPERATURE = Mechanism(
     "gain, phase or anisotropy over temperature",
@@ -89,12 +116,14 @@ _GRADIENT = Mechanism(
     24,
     THERMAL,
     "ramps up and down through one temperature: the sign changes",
+    ("thermal",),
 )
 _FORCE = Mechanism(
     "gap or axes under specific force",
     28,
     SENKAL,
     "a tumble, then a centrifuge: linear or quadratic",
+    ("tumble", "centrifuge"),
 )
 _CHARGE = Mechanism(
     "charge of the electrodes", 25, SENKAL, "a step of the bias voltage at constant temperature"
@@ -113,11 +142,19 @@ _RANGE = Mechanism(
     SENKAL,
     "rates up to the full range: it begins at a threshold",
 )
-_BRYAN = Mechanism("Bryan factor", 16, LYNCH, "rates both ways: in proportion to the rate alone")
-_SPLIT = Mechanism(
-    "frequency split", 7, PHASE, "positions: the 4th harmonic in force and frequency"
+_BRYAN = Mechanism(
+    "Bryan factor", 16, LYNCH, "rates both ways: in proportion to the rate alone", ("rate",)
 )
-_FREQUENCY = Mechanism("frequency over temperature", 23, THERMAL, "slow ramps up and down")
+_SPLIT = Mechanism(
+    "frequency split",
+    7,
+    PHASE,
+    "positions: the 4th harmonic in force and frequency",
+    ("positions",),
+)
+_FREQUENCY = Mechanism(
+    "frequency over temperature", 23, THERMAL, "slow ramps up and down", ("thermal",)
+)
 _MISALIGNMENT = Mechanism("input-axis misalignment", 29, XU, "more than ten turns of the table")
 NEAREST = {
     ("bias", "wave_angle"): (_DAMPING, _DRIVE_GAIN, _OFFSET),
@@ -173,7 +210,13 @@ def build_terms(result: CampaignDiagnosis) -> str:
     terms = result.diagnosis.terms
     if not terms:
         return make_paragraph(NO_TERM)
-    return make_paragraph(INTRODUCTION) + "".join(_build_term(term) for term in terms)
+    kinds = list_kinds(result)
+    return make_paragraph(INTRODUCTION) + "".join(_build_term(term, kinds) for term in terms)
+
+
+def list_kinds(result: CampaignDiagnosis) -> set[str]:
+    """Kinds of the campaign's tests."""
+    return {test.test.kind for test in result.tests}
 
 
 def describe_term(term: Term) -> str:
@@ -213,7 +256,7 @@ def describe_class(term: Term) -> str:
     )
 
 
-def _build_term(term: Term) -> str:
+def _build_term(term: Term, kinds: Collection[str]) -> str:
     rows = [
         (c.variable, _format_value(term, c), format_term_unit(c.unit)) for c in list_written(term)
     ]
@@ -224,7 +267,7 @@ def _build_term(term: Term) -> str:
         "floor that named causes leave on the held-out tests, in its channel"
     )
     nearest = "".join(
-        f"<li>{html.escape(f'{m.name} ({m.number}; {m.source}). To tell: {m.test}.')}</li>"
+        f"<li>{html.escape(f'{m.name} ({m.number}; {m.source}).{m.suggest_test(kinds)}')}</li>"
         for m in find_nearest(term)
     )
     return (

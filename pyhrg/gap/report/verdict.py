@@ -1,15 +1,23 @@
 """The diagnosis as answers to five questions, in sentences: for the page and for the terminal."""
 
 import textwrap
+from collections.abc import Collection
 
 from pyhrg.common.pages.svg import format_interval, format_number
 from pyhrg.device.declarations import format_effect
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.effects.catalogue import EFFECTS
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, GapFigure, KnownValue
+from pyhrg.gap.findings.verdict import UNEXPLAINED_PROBABILITY
 from pyhrg.gap.report.closing import describe_closing
 from pyhrg.gap.report.places import sum_shares
-from pyhrg.gap.report.terms import describe_class, describe_term, find_nearest, name_term
+from pyhrg.gap.report.terms import (
+    describe_class,
+    describe_term,
+    find_nearest,
+    list_kinds,
+    name_term,
+)
 from pyhrg.gap.report.words import (
     CHANNELS,
     COORDINATES,
@@ -50,6 +58,7 @@ NOT_CLOSER = (
     "On the held-out tests the identified gyro is further from the records than the nominal one. "
     "Do not use closed.fmu: what was found does not hold there."
 )
+IMMATERIAL_CAUSE = "a cause outside the catalogue takes part too, but what it makes is immaterial"
 WIDTH, INDENT = 100, 14
 """Width of a line for the terminal, and of the column of the questions."""
 
@@ -58,16 +67,21 @@ def write_headline(diagnosis: Diagnosis) -> str:
     """The verdict in one sentence."""
     names = join_words([format_effect(c.effect) for c in diagnosis.causes])
     is_single = len(diagnosis.causes) == 1
+    too = f"; {IMMATERIAL_CAUSE}" if has_immaterial_cause(diagnosis) else ""
     if diagnosis.verdict == "no_gap":
+        within = "within the noise"
         if diagnosis.within_tolerance or diagnosis.left.angle_arcsec:
-            return "No gap: the records agree with the simulation within tolerances and noise."
-        return "No gap: the records agree with the simulation of the nominal gyro within the noise."
+            return (
+                f"No gap: the records agree with the simulation within tolerances and noise{too}."
+            )
+        return f"No gap: the records agree with the simulation of the nominal gyro {within}{too}."
     if diagnosis.verdict == "explained":
-        causes = "its cause is" if is_single else "its causes are"
-        return f"The gap is explained, and lies in {_list_families(diagnosis)}: {causes} {names}."
+        place = _list_families(diagnosis)
+        causes = f"its cause{' is' if is_single else 's are'} {names}"
+        return f"The gap is explained, and lies in {place}: {causes}{too}."
     if diagnosis.verdict == "ambiguous":
         others = "effects that these records can't separate from it"
-        return f"The gap is explained by {names}, or by {others}."
+        return f"The gap is explained by {names}, or by {others}{too}."
     beside = f", beside {names}" if names else ""
     equation = "; it has an equation, but no name" if diagnosis.terms else ""
     return f"The gap is not explained: a cause outside the catalogue takes part{beside}{equation}."
@@ -91,7 +105,7 @@ def answer_questions(result: CampaignDiagnosis) -> dict[str, list[str]]:
             describe_closing(diagnosis.gap)[0],
             describe_leftover(diagnosis),
         ],
-        "What next": _say_what_next(diagnosis),
+        "What next": _say_what_next(diagnosis, list_kinds(result)),
     }
 
 
@@ -122,6 +136,12 @@ def describe_leftover(diagnosis: Diagnosis) -> str:
     limits += f", {format_percent(bound.loop_share)}"
     role = "material" if left.exceeds(bound) else "immaterial"
     return f"Named causes leave {sizes}; {role} by the bound of {limits}."
+
+
+def has_immaterial_cause(diagnosis: Diagnosis) -> bool:
+    """Whether something outside the catalogue takes part and does not count for the verdict."""
+    is_there = diagnosis.unknown_probability >= UNEXPLAINED_PROBABILITY
+    return is_there and diagnosis.verdict != "unexplained"
 
 
 def _list_families(diagnosis: Diagnosis) -> str:
@@ -157,11 +177,12 @@ def _say_how_sure(diagnosis: Diagnosis) -> list[str]:
         sentences.append(f"{_begin(words)}: probability {format_percent(cause.probability)}.")
     sentences += [f"{name_term(t)}: probability of {describe_class(t)}." for t in diagnosis.terms]
     unknown = format_percent(diagnosis.unknown_probability)
-    sentences.append(f"A cause outside the catalogue takes part: probability {unknown}.")
+    weight = ", but immaterial by the bound" if has_immaterial_cause(diagnosis) else ""
+    sentences.append(f"A cause outside the catalogue takes part: probability {unknown}{weight}.")
     return [*sentences, *diagnosis.caveats]
 
 
-def _say_what_next(diagnosis: Diagnosis) -> list[str]:
+def _say_what_next(diagnosis: Diagnosis, kinds: Collection[str]) -> list[str]:
     test = diagnosis.next_test
     sentences = []
     if test:
@@ -170,7 +191,8 @@ def _say_what_next(diagnosis: Diagnosis) -> list[str]:
     for term in diagnosis.terms:
         if nearest := find_nearest(term):
             name = f"{nearest[0].name} ({nearest[0].number})"
-            sentences.append(f"{name_term(term)} is next to {name}. To tell: {nearest[0].test}.")
+            suggestion = nearest[0].suggest_test(kinds)
+            sentences.append(f"{name_term(term)} is next to {name}.{suggestion}")
     for cause in diagnosis.causes:
         if (effect := EFFECTS.get(cause.effect)) and effect.imitators:
             others = " or ".join(map(format_effect, effect.imitators))

@@ -22,6 +22,7 @@ from pyhrg.noise.ramp import estimate_rate_ramp
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 SCHEMA = "hrg-allan/1"
 FILES = RESULT, TABLE, PAGE = "allan.json", "allan.csv", "report.html"
@@ -58,7 +59,7 @@ class ChannelNoise:
         for term, c in self.coefficients.items():
             shown = _format(c, term.factor)
             if not c.present:
-                shown = f"< {format_number(c.high / term.factor)}"
+                shown = f"< {format_number(c.high / term.factor)}".replace("\N{MINUS SIGN}", "-")
             rows.append((term.effect.replace("_", " "), shown, term.unit, term.parameter))
         ramp = kind.ramp
         shown = _format(self.ramp, ramp.factor)
@@ -80,7 +81,7 @@ class RecordNoise:
     def deviations(self) -> pd.DataFrame:
         """Allan deviation of each channel with 95 % intervals, in the unit of column `unit`."""
         frame = pd.concat([_tabulate(each) for each in self.channels], ignore_index=True)
-        rate = "column unit"
+        rate = frame["unit"].iloc[0] if frame["unit"].nunique() == 1 else "as in column unit"
         units = {"cluster_time_s": "s", "deviation": rate, "low_95": rate, "high_95": rate}
         frame.attrs["units"] = {name: units.get(name, "1") for name in frame.columns}
         return frame
@@ -99,9 +100,21 @@ class RecordNoise:
             HrgError: `ax` has no place in a grid.
         """
         from pyhrg.bench.figures import draw_in_place
-        from pyhrg.gap.static_record.report.figures import plot_noise
 
-        return draw_in_place(lambda figure: plot_noise(figure, self.channels), ax)
+        return draw_in_place(self._draw, ax)
+
+    def _draw(self, figure: "Figure") -> None:
+        """Draw the channels, up to three side by side."""
+        from pyhrg.gap.static_record.allan_figure import plot_deviation, plot_fitted_noise
+
+        columns = min(len(self.channels), 3)
+        for number, each in enumerate(self.channels, 1):
+            axes = figure.add_subplot(-(-len(self.channels) // columns), columns, number)
+            kind = each.channel.kind
+            plot_deviation(axes, each.deviation, kind)
+            plot_fitted_noise(axes, each.deviation.tau, each.noise, each.ramp, kind)
+            axes.set_title(each.channel.name)
+            axes.legend()
 
     @property
     def document(self) -> dict[str, Any]:

@@ -4,7 +4,9 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from pyhrg.common.errors import HrgError
-from pyhrg.gap.static_record.allan import RecordNoise, measure_noise
+from pyhrg.common.files import check_page
+from pyhrg.common.made_by import check_identity
+from pyhrg.gap.static_record.allan import RESULT, RecordNoise, measure_noise
 from pyhrg.gap.static_record.belief import Belief, read_beliefs
 from pyhrg.gap.static_record.fit.diagnosis import diagnose_channel
 from pyhrg.gap.static_record.fit.hypotheses import FALSE_ALARMS
@@ -50,7 +52,11 @@ def diagnose_record(
 
 
 def compute_allan(
-    record: Path | str, *, trusted: bool = False, out: Path | str | None = None
+    record: Path | str,
+    *,
+    trusted: bool = False,
+    out: Path | str | None = None,
+    force: bool = False,
 ) -> RecordNoise:
     """Bias, Allan deviation and noise coefficients (IEEE Std 952) of a record at rest.
 
@@ -58,9 +64,11 @@ def compute_allan(
         record: file of an IMU's log (docs/imus.md) or of a bench log (docs/records.md).
         trusted: as in `diagnose_record`.
         out: folder that `allan.json`, `allan.csv` and `report.html` are written to.
+        force: whether the result of another record in `out` may be replaced.
 
     Raises:
-        LogError, HrgError: the file can't be used.
+        LogError, HrgError: the file can't be used; `out` holds the result of another record or
+            another command's report.
         NoiseError: a channel has no noise.
         OSError: the folder can't be written.
     """
@@ -68,8 +76,16 @@ def compute_allan(
     if out is not None:
         from pyhrg.gap.static_record.report.allan_page import write_noise_report
 
+        if not force:
+            _check_place(Path(out), noise)
         write_noise_report(noise, Path(out))
     return noise
+
+
+def _check_place(out: Path, noise: RecordNoise) -> None:
+    """Refuse to replace the result of another record, or another command's report."""
+    check_identity(out / RESULT, {key: noise.document[key] for key in ("source", "channels")})
+    check_page(out, (out / RESULT).exists())
 
 
 def _compare_with_beliefs(

@@ -29,6 +29,9 @@ REPLAY_RESOLUTION = {
 }
 """Smallest noise that a channel is given, SI: the difference of two replays of one device, with
 sampled loops and with quasi-steady loops (tests/pyhrg/gap/replay/test_simulation.py)."""
+THIRD_DIFFERENCE = np.array([20.0, -30.0, 12.0, -2.0]) / 6
+"""Weights of the autocovariance at lags of 0 to 3 rows in the variance of third differences over
+sqrt(6). Derived: 1, -3, 3, -1 correlated with itself."""
 THERMOMETER_CORRELATION = 3.0
 """Correlation time of a coarse thermometer's rounding error, in thermal lags. Chosen."""
 MIN_ANGLE_NOISE = 1e-10
@@ -132,6 +135,16 @@ def estimate_campaign_noise(
             change = slope * float(np.median(kelvins)) * interval / nominal.thermal_lag
             least = REPLAY_RESOLUTION[channel]
             white[channel][interval] = math.sqrt(max(deviation**2 - change**2 / 12, least**2))
+    density = (2 * nominal.bryan_factor * nominal.angle_random_walk) ** 2
+    loops = {
+        "amplitude_force": nominal.amplitude_loop,
+        "quadrature_force": nominal.quadrature_loop,
+    }
+    for channel, loop in loops.items():
+        for interval, deviation in white[channel].items():
+            share = compute_visible_share(interval, loop)
+            hidden = max(1 - share, 0.0) * min(density / interval, deviation**2 / share)
+            white[channel][interval] = math.sqrt(deviation**2 + hidden)
     return CampaignNoise(
         build_angle_noise(nominal),
         white,
@@ -142,6 +155,18 @@ def estimate_campaign_noise(
         thermometer_lag,
         nominal.bryan_factor,
     )
+
+
+def compute_visible_share(interval: float, natural_frequency: float) -> float:
+    """Variance that force noise makes in the second differences (Eq. 14) of a loop's force, over
+    that of white noise of the same density (docs/methods/whitening.md, Eq. 22).
+
+    The loop is critically damped, with this natural frequency, rad/s; its force is averaged over
+    rows of `interval` seconds.
+    """
+    phases = natural_frequency * interval * np.arange(4)
+    covariances = (1 + 3 * phases) * np.exp(-phases) / 4 - phases / 2
+    return float(THIRD_DIFFERENCE @ covariances) / (natural_frequency * interval)
 
 
 def compute_temperature_slopes(device: Device) -> dict[str, float]:

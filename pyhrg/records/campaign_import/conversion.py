@@ -114,13 +114,17 @@ def _integrate(
 ) -> Array:
     """(n,) angles from increments or rates; a sampled rate is constant in the first row."""
     is_missing = ~np.isfinite(values)
-    is_missing[1:] |= ~find_even_steps(time, interval)
-    if is_missing.any():
-        row = cells.rows[int(np.argmax(is_missing))]
+    is_uneven = np.append(False, ~find_even_steps(time, interval))
+    if (is_missing | is_uneven).any():
+        row = int(np.argmax(is_missing | is_uneven))
+        step = time[row] - time[row - 1]
+        lack = f"{step:.6g} s after the row before, not {interval:g} s"
+        if is_missing[row] or not np.isfinite(step):
+            lack = "no value" if is_missing[row] else "no time"
         raise LogError(
-            f"{cells.source}: row {row}, {mapping.logged}: no value, "
-            f"or no even time step before it; expected none missing in what "
-            f"{mapping.place}.integrate adds up"
+            f"{cells.source}: row {cells.rows[row]}, {mapping.logged}: {lack}; "
+            f"{mapping.place}.integrate adds up all rows: cut the log there, and make each part a "
+            "test"
         )
     steps = np.diff(time, prepend=time[0] - interval)
     if mapping.integrate == "increments":

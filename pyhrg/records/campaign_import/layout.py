@@ -64,7 +64,7 @@ class Cells:
                 raise LogError(f"{self.source}: column {quote(column)}: not there; {expected}")
             return column - 1
         if self.names.count(column) != 1:
-            found = f"found {self.names.count(column)} columns of that name"
+            found = f"found {self.names.count(column) or 'no'} columns of that name"
             among = ", ".join(self.names) or "no header"
             raise LogError(f"{self.source}: column {column}: {found}; expected one among {among}")
         return self.names.index(column)

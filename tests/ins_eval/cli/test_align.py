@@ -72,7 +72,7 @@ def test_same_seed_same_bytes(tmp_path: Path) -> None:
     ("arguments", "message"),
     [
         (["--seconds", "15"], "seconds: found 15, expected a number from 30 to 7200"),
-        (["--seed", "x"], "argument --seed: invalid int value: 'x'"),
+        (["--seed", "x"], "argument --seed: found 'x', expected a whole number"),
         (["--from-s", "5"], "--from-s: is for recorded logs, and the IMU is simulated"),
         (["--latitude-deg", "5"], "--latitude-deg: is for recorded logs, and the IMU is simulated"),
         (["nowhere.csv"], "nowhere.csv: can't be read: No such file"),
@@ -80,7 +80,10 @@ def test_same_seed_same_bytes(tmp_path: Path) -> None:
             ["nowhere.csv", "--seed", "1"],
             "--seed: is for simulated IMUs, and nowhere.csv is recorded",
         ),
-        (["--imu", "nothing"], "nothing: found no such file, expected one or ideal, simple"),
+        (
+            ["--imu", "nothing"],
+            "nothing: found no such file and no ready IMU of this name, expected a",
+        ),
         (["--trajectory", "great-circle"], "it can't stand still for 320 s before\n"),
     ],
 )

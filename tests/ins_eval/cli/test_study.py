@@ -15,7 +15,7 @@ from tests.ins_eval.study.run.cheap import CHEAP, conclude, made
 
 @pytest.fixture(autouse=True)
 def cheap(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(run_study, "make_experiment", lambda: CHEAP)
+    monkeypatch.setattr(run_study, "make_experiment", lambda study: CHEAP)
     monkeypatch.setattr(run_study.StudyResult, "verdict", "cheap")
 
 
@@ -24,7 +24,7 @@ def cheap(monkeypatch: pytest.MonkeyPatch) -> None:
     [
         (
             ["huge"],
-            "huge: found no such file, expected one or narrow, one-maker, self-witness",
+            "huge: found no such file and no ready study of this name, expected a file or narrow",
         ),
         (["small", "--seed", "-1"], "small.toml: seed: found -1, expected a whole number from 0"),
         (["small", "--workers", "0"], "workers: found 0, expected a whole number from 1"),

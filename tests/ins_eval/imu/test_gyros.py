@@ -42,6 +42,15 @@ def test_mean_bias_is_calibrated(fmu: GyroFmu) -> None:
     assert residual == pytest.approx(float(expected), abs=0.005 * DEG_PER_H)
 
 
+def test_a_swept_pattern_is_not_calibrated_at_rest() -> None:
+    gyros = FmuGyros(replace(QUIET, sweep_angle=1.0))
+    assert gyros.is_swept
+    with pytest.raises(
+        HrgError, match=r"sweep_angle_deg.*expected calibrated = false in \[gyros\]"
+    ):
+        gyros.measure(still(1), ORTHOGONAL, np.random.default_rng(1))
+
+
 def test_gyro_is_ready_when_its_amplitude_has_grown(fmu: GyroFmu) -> None:
     """The second stage ends at 10 s (paper 2.3); valid it is from the first on."""
     bench = Bench(fmu, with_start_up(TYPICAL), seed=1)

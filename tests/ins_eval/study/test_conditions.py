@@ -61,6 +61,23 @@ def test_bias_at_power_on_is_what_the_bench_missed(flying: dict[str, TriadBlock]
     assert np.sqrt(np.mean(left**2)) < 0.2 * np.sqrt(np.mean(there**2))
 
 
+def test_calibration_at_the_fixed_position_takes_out_what_that_test_reads(
+    flying: dict[str, TriadBlock],
+) -> None:
+    """Before, the test's mean bias is the map's value at the start angle; afterwards little of it
+    is left, and the circumference's figure is as it was."""
+    before = flying["straight and level for an hour"]
+    there = at_start(before)
+    assert np.sqrt(np.mean((before.fixed_bias - there) ** 2)) < 0.2 * np.sqrt(np.mean(there**2))
+    for mission in ("car", "aircraft"):
+        after = flying[f"calibrated at the fixed position, {mission}"]
+        np.testing.assert_allclose(at_start(after), there - before.fixed_bias)
+        change = after.fitted_map - before.fitted_map
+        np.testing.assert_allclose(change[:, 0], -before.fixed_bias)
+        assert not change[:, 1:].any()
+        np.testing.assert_array_equal(after.circumference_stability, before.circumference_stability)
+
+
 def test_self_calibrated_gyros_fly_small_maps_that_the_bench_saw_large(
     flying: dict[str, TriadBlock],
 ) -> None:

@@ -11,7 +11,7 @@ import pytest
 from numpy.typing import NDArray
 
 from ins_eval.study import conclusion
-from ins_eval.study.conclusion import FILES, write_conclusion
+from ins_eval.study.conclusion import list_files, write_conclusion
 from ins_eval.study.experiment import (
     NOISELESS,
     STEADY_LOOPS,
@@ -26,7 +26,7 @@ from ins_eval.study.run.block import Arrays
 from ins_eval.study.specification import TEST, TRAIN, PlannedMission, Study
 from ins_eval.study.study_data import read_study_data
 from ins_eval.study.tables import columns as c
-from ins_eval.study.tables.score import AGREEMENT, STEADY_AGREEMENT
+from ins_eval.study.tables.score import AGREEMENT, RANGE, STEADY_AGREEMENT
 from ins_eval.study.witness import block as block_of_channels
 from ins_eval.trajectories import catalogue
 from pyhrg.common.errors import HrgError
@@ -89,7 +89,7 @@ def folder(arrays: Arrays, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def table(folder: Path) -> pd.DataFrame:
-    return pd.read_parquet(folder / FILES[0])
+    return pd.read_parquet(folder / c.TABLE)
 
 
 def test_triads_are_the_same_in_any_block(three: Arrays) -> None:
@@ -168,23 +168,31 @@ def test_witnessed_flights_have_rows_and_scores(arrays: Arrays, tmp_path: Path) 
 
 def test_same_arrays_give_the_same_bytes(arrays: Arrays, folder: Path, tmp_path: Path) -> None:
     write_conclusion(STUDY, arrays, tmp_path)
-    for name in FILES:
+    assert {each.name for each in tmp_path.iterdir()} == set(list_files(STUDY))
+    for name in list_files(STUDY):
         assert (tmp_path / name).read_bytes() == (folder / name).read_bytes()
 
 
 @pytest.mark.parametrize(
-    ("sample", "flights", "key"),
+    ("sample", "flights", "key", "count", "verdict", "confidence"),
     [
-        ("agreement", NOISELESS, AGREEMENT),
-        ("steady_agreement", STEADY_LOOPS, STEADY_AGREEMENT),
+        ("agreement", NOISELESS, AGREEMENT, 6, "", RANGE),
+        ("steady_agreement", STEADY_LOOPS, STEADY_AGREEMENT, 11, "holds", 0.95),
     ],
 )
 def test_agreement_is_of_the_sample_without_noise(
-    arrays: Arrays, sample: str, flights: str, key: str
+    arrays: Arrays,
+    sample: str,
+    flights: str,
+    key: str,
+    count: int,
+    verdict: str,
+    confidence: float,
 ) -> None:
-    """Co-simulated errors that are 1 % larger than linear ones: 1/101 apart."""
-    study = replace(STUDY, **{sample: 6})
-    chosen = [study.is_in_sample(triad, 6) for triad in range(study.triads)]
+    """Co-simulated errors that are 1 % larger than linear ones: 1/101 apart. Six triads decide
+    nothing."""
+    study = replace(STUDY, **{sample: count})
+    chosen = [study.is_in_sample(triad, count) for triad in range(study.triads)]
     flown = dict(arrays)
     for method in METHODS:
         for number in range(len(study.missions)):
@@ -197,7 +205,7 @@ def test_agreement_is_of_the_sample_without_noise(
     }
     for s in found:
         assert (s.value, s.low, s.high) == pytest.approx((1 / 101,) * 3)
-        assert (s.score, s.n, s.verdict) == (key, 6, "holds")
+        assert (s.score, s.n, s.verdict, s.confidence) == (key, count, verdict, confidence)
     assert conclusion.score_agreement(STUDY, arrays) == []
 
 

@@ -157,13 +157,19 @@ def test_specification(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
             ["fixed-position", "--seed", "-1"],
             "seed: found -1, expected a whole number from 0 to 2^63",
         ),
-        (["fixed-position", "--seed", "1.5"], "argument --seed: invalid int value: '1.5'"),
+        (
+            ["fixed-position", "--seed", "1.5"],
+            "argument --seed: found '1.5', expected a whole number",
+        ),
         (["fixed-position", "--seed", str(2**63)], "expected a whole number from 0 to 2^63 - 1"),
         (["fixed-position", "--workers", "0"], "workers: found 0, expected a whole number from 1"),
-        (["fixed-position", "--workers", "two"], "argument --workers: invalid int value: 'two'"),
+        (
+            ["fixed-position", "--workers", "two"],
+            "argument --workers: found 'two', expected a whole number",
+        ),
         (
             ["fixed-position", "--device", "none.toml"],
-            "none.toml: found no such file, expected one or ",
+            "none.toml: found no such file and no ready device of this name, expected a file or ",
         ),
         (["fixed-position", "--campaign", "none"], "none: found no such folder, expected"),
         (["fixed-position", "--device", "a", "--campaign", "b"], "not allowed with argument"),

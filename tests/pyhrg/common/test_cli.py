@@ -87,11 +87,11 @@ def test_an_output_that_cannot_be_written_is_refused_before_the_work(
 
 @pytest.mark.parametrize("text", ["1_0", " 1", "１", "1e400x", ""])
 def test_numbers_are_ascii_digits(text: str, capsys: pytest.CaptureFixture[str]) -> None:
-    for option, kind in (("--workers", "int"), ("--hours", "float")):
+    for option, kind in (("--workers", "whole number"), ("--hours", "number")):
         with pytest.raises(SystemExit) as end:
             main(["validate", option, text])
         assert end.value.code == 2
-        assert f"invalid {kind} value" in capsys.readouterr().err
+        assert f"found {text!r}, expected a {kind}" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

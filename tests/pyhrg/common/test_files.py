@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from pyhrg.common.files import replace_folder, stage_files, write_whole
+from pyhrg.common.files import check_output_folder, replace_folder, stage_files, write_whole
 
 KILL = "os.kill(os.getpid(), signal.SIGKILL)"
 START = """
@@ -114,3 +114,14 @@ def test_a_folder_that_cannot_be_exchanged_stays(
     with pytest.raises(OSError, match="no room"), replace_folder(out):
         pass
     assert list_names(tmp_path) == ["out", "out/old"]
+
+
+def test_a_folder_that_takes_no_files_is_named() -> None:
+    """A file system of the kernel's own, which says of itself that it can be written."""
+    folder = Path("/proc/self")
+    if not folder.is_dir():
+        pytest.skip("this system has no /proc")
+    with pytest.raises(PermissionError, match="it can't be written: '/proc/self'"):
+        check_output_folder(folder / "out")
+    with pytest.raises(OSError, match=r"'/proc/self/mapping\.toml'$"):
+        write_whole(folder / "mapping.toml", b"")

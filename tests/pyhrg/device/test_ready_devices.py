@@ -66,5 +66,7 @@ def test_a_device_is_loaded_by_name_or_file(tmp_path: Path) -> None:
     assert load_device("typical") == TYPICAL
     device_file.write(TYPICAL, tmp_path / "mine.toml")
     assert load_device(tmp_path / "mine.toml") == TYPICAL
-    with pytest.raises(HrgError, match="nothing: found no such file, expected one or table2"):
+    with pytest.raises(HrgError, match=r"nothing: found no such file .* expected a file or table2"):
         load_device("nothing")
+    with pytest.raises(HrgError, match=r"Table2: .* expected a file or table2$"):
+        load_device("Table2")

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from pyhrg.device.device import Device
+from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
 from pyhrg.theory import closed_forms
 from pyhrg.witness.mechanisms import COUNT, MECHANISMS, NAMES, change_device, find, read_values
-from pyhrg.witness.responses import Responses
+from pyhrg.witness.responses import Motion, Responses, compute_design, stack_signals
 from tests.pyhrg.witness.flights import GYRO
 
 FOURTH = slice(3, 5)
@@ -73,6 +74,29 @@ def test_specific_force(responses: Responses) -> None:
         assert found[gain] == pytest.approx(
             found[find("pick-off gain mismatch")], rel=0.01, abs=1e-3 * np.abs(found[gain]).max()
         )
+
+
+def test_a_specific_force_that_changes(fmu: GyroFmu, responses: Responses) -> None:
+    """Amplitude force and output of a gyro at rest whose pick-off gain follows a ramp of the
+    specific force, 0.5 m/s^2 a second, to 2 %."""
+    row, ramp, name = 0.2, 0.5, "pick-off gain per specific force"
+    time = np.arange(0.0, 10.0, CONTROL_PERIOD).reshape(-1, round(row / CONTROL_PERIOD))
+    moving = {"angularRate": 0 * time, "accelerationX": ramp * time}
+    quiet, recorded = GYRO.without_noise(), []
+    for device in (quiet, MECHANISMS[find(name)].add(quiet, 1e-5)):
+        with fmu.power_on(device.fmu_parameters(), 0, 0.3) as gyro:
+            names = ["gyroAngle", "patternAngle"], ["amplitudeForce"]
+            ends, means = gyro.record(moving, {}, CONTROL_PERIOD, *names)
+        recorded.append((ends[:, 1], means[:, 0], np.gradient(ends[:, 0], row)))
+    (angle, *before), (_, *after) = recorded
+    none = 0 * angle
+    signals = stack_signals(none, ramp * np.outer(time.mean(axis=1), [1.0, 0.0, 0.0]))
+    motion = Motion(row, angle, none, none, none, signals)
+    channels = responses.forces[:, :1], responses.output[:, None]
+    for sensitivities, unchanged, changed in zip(channels, before, after, strict=True):
+        expected = compute_design(sensitivities, motion, responses.angular_gain)[:, 0, find(name)]
+        size = np.abs(expected).max()
+        assert (changed - unchanged)[5:-2] / 1e-5 == pytest.approx(expected[5:-2], abs=0.02 * size)
 
 
 def test_the_bias_is_the_slope_of_the_amplitude_force() -> None:

@@ -1,5 +1,6 @@
 """Flights as dots on log axes, one path for each calibration and mission class: predicted against
-flown error, and bench figures of single gyros against their rms error over power-on angles.
+flown error, and bench figures of single gyros against their rms error over power-on angles, which
+is linear.
 """
 
 import html
@@ -95,21 +96,21 @@ def render_ranking(data: StudyData) -> str:
 
 def _make_ranking_panel(data: StudyData, predictor: str) -> Panel:
     column, title, axis = RANKED_BY[predictor]
-    gyros = data.table[[*KEYS, column, c.GYROS_FLOWN]].explode([column, c.GYROS_FLOWN])
-    gyros = gyros.astype({column: float, c.GYROS_FLOWN: float})
-    gyros = select_positive(gyros, column, c.GYROS_FLOWN)
+    gyros = data.table[[*KEYS, column, c.GYROS_LINEAR]].explode([column, c.GYROS_LINEAR])
+    gyros = gyros.astype({column: float, c.GYROS_LINEAR: float})
+    gyros = select_positive(gyros, column, c.GYROS_LINEAR)
     x, y = (
         svg.make_horizontal_scale(*svg.find_decades(gyros[column])),
-        svg.make_vertical_scale(*svg.find_decades(gyros[c.GYROS_FLOWN])),
+        svg.make_vertical_scale(*svg.find_decades(gyros[c.GYROS_LINEAR])),
     )
     return Panel(
         title=title,
         body=draw_axes(
             x,
             y,
-            (axis, f"rms error, {NMI}"),
-            draw_dots(data, gyros, (column, x), (c.GYROS_FLOWN, y)),
-            f"{title} against rms error, {len(gyros)} gyros and missions",
+            (axis, f"linear rms error, {NMI}"),
+            draw_dots(data, gyros, (column, x), (c.GYROS_LINEAR, y)),
+            f"{title} against rms error, linear model, {len(gyros)} gyros and missions",
         ),
         notes=[f'<span class="live">{len(gyros):,} gyros in missions</span>'],
         attributes=f' data-panel="rank_{predictor}"',

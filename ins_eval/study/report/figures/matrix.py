@@ -20,6 +20,7 @@ from ins_eval.study.tables.score import (
     R2_COMPONENTS,
     R2_MOUNTED,
     R2_RADIAL,
+    RANGE,
     SCORES,
     Score,
 )
@@ -85,7 +86,10 @@ def _make_caption(scores: Sequence[Score], interval_percent: float) -> str:
         parts.append(f"{interval_percent:g} % required")
     if first.shuffled:
         parts.append("devices shuffled")
-    intervals = [f"{100 * first.confidence:g} % intervals", _name_method(first)]
+    if first.confidence == RANGE:
+        intervals = ["smallest and largest of single triads, no interval"]
+    else:
+        intervals = [f"{100 * first.confidence:g} % intervals", _name_method(first)]
     seeds = sorted({s.seed for s in scores if s.seed is not None})
     if seeds:
         intervals.append(f"seed {', '.join(map(str, seeds))}")

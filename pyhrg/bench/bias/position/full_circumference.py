@@ -11,8 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
+from scipy import stats
 
-from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.bench import NAMELESS, Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS, BiasTest
 from pyhrg.bench.bias.position import positions
 from pyhrg.bench.bias.position.positions import HARMONICS, Plan, choose_plan, select_visible
@@ -62,13 +63,29 @@ class RestRateMap:
         """Value of a term, mean over the runs, rad/s."""
         return float(np.mean([fitted.value(name) for fitted in self.fits]))
 
-    def finding(self, name: str) -> Finding:
-        """A term with its interval: over the runs where there are three or more, else that of the
-        first run's fit."""
+    def estimate(self, name: str) -> tuple[float, float, float]:
+        """Value of a term, rad/s, its standard error, and the degrees of freedom of that: over the
+        runs where there are three or more, else by the runs' fits."""
+        values, count = [fitted.value(name) for fitted in self.fits], len(self.fits)
+        if count > 2:
+            error = float(np.std(values, ddof=1) / np.sqrt(count))
+            return float(np.mean(values)), error, count - 1.0
+        error = float(np.hypot.reduce([fitted.deviation(name) for fitted in self.fits])) / count
+        return float(np.mean(values)), error, float(sum(fitted.freedom for fitted in self.fits))
+
+    def finding(self, name: str, note: str = "") -> Finding:
+        """A term with Student's 95 % interval, see `estimate`."""
         label = "mean of the map" if name == MEAN else f"bias {name.replace('_', ' ')}"
-        if len(self.fits) > 2:
-            return estimate_mean(label, [fitted.value(name) for fitted in self.fits], "deg/h")
-        return self.fits[0].finding(name, label, "deg/h", note="of the first run")
+        value, error, freedom = self.estimate(name)
+        reach = float(stats.t.ppf(0.975, freedom)) * error
+        points = sum(len(fitted.residual) for fitted in self.fits)
+        n = len(self.fits) if len(self.fits) > 2 else points
+        return Finding(label, value, "deg/h", value - reach, value + reach, n, note)
+
+    def evaluate(self, pattern_angle: Array) -> Array:
+        """(n,) rates of the map at pattern angles (n,), rad, without the tilt, rad/s."""
+        columns = make_columns(pattern_angle, pattern_angle, self.harmonics, tilt=False)
+        return np.asarray(sum(self.value(name) * column for name, column in columns.items()))
 
     def remove_tilt(self, run: Points) -> Array:
         """(n,) rates of a run without the tilt of the input axis, rad/s."""
@@ -88,7 +105,16 @@ def make_programme(bench: Bench, plan: Plan, segments: int = SEGMENTS) -> Progra
 
     Earth's rate turns the pattern too, by 0.07 deg in 100 s. The table steps allow for it, so that
     the positions are spaced as planned and their mean is that over the circumference.
+
+    Raises:
+        BenchError: the gyro sweeps its pattern, which then rests nowhere.
     """
+    if bench.device.sweep_angle:
+        raise BenchError(
+            f"{bench.device.name or NAMELESS}: found sweep_angle_deg = "
+            f"{bench.device.sweep_angle / DEG:g}: a pattern that the electronics sweep rests at no "
+            "position; expected 0 for a test over positions"
+        )
     course = bench.programme().rest(WARM_UP)
     dwell = SETTLE + segments * SEGMENT
     cycle = dwell + plan.table_step / TABLE_RATE
@@ -183,11 +209,13 @@ def evaluate(campaign: Campaign) -> Outcome:
     test, fitted = BiasTest(runs), fit_map(runs)
     within = positions.estimate_within("within positions", runs)
     between = positions.estimate_between("between positions", runs, fitted.fits)
-    maps = [fitted.finding(name) for name in fitted.names]
+    earth = f"{campaign.site.vertical_rate / DEG_PER_H:.3g} deg/h of Earth x scale factor included"
+    maps = [fitted.finding(name, "" if name in (MEAN, *TILT) else earth) for name in fitted.names]
     if 4 in fitted.harmonics:
         cosine, sine = name_terms(4)
         sizes = [float(np.hypot(f.value(cosine), f.value(sine))) for f in fitted.fits]
-        maps.insert(0, estimate_mean("fourth harmonic", sizes, "deg/h", "amplitude"))
+        note = f"amplitude; {earth}"
+        maps.insert(0, estimate_mean("fourth harmonic", sizes, "deg/h", note))
     return Outcome(
         findings=(*test.findings(), within, between, *maps),
         verdict=_describe_verdict(test, within.si_value, between.si_value),
@@ -211,27 +239,33 @@ def _tabulate_points(test: BiasTest, within: Finding, fitted: RestRateMap) -> pd
 
 def _describe_verdict(test: BiasTest, within: float, between: float) -> str:
     stability = f"Bias stability {test.stability / DEG_PER_H:.2g} deg/h over the circumference"
-    if not within > 0:
-        return f"{stability}."
-    share = f"{between / within:.3g} times as much as a position's points do"
-    return f"{stability}; positions differ {share}."
+    if within > 0:
+        stability += (
+            f"; positions differ {between / within:.3g} times as much as a position's points do"
+        )
+    return (
+        f"{stability}. Harmonics of the scale factor show here as bias, times Earth's vertical "
+        "rate; the test calibration, which has rate tests too, takes them out."
+    )
 
 
 def draw(figure: Figure, runs: Sequence[Points], fitted: RestRateMap) -> None:
-    axes = figure.add_subplot(
-        title="Bias over the circumference" + (", tilt removed" if fitted.tilt else ""),
-        xlim=(0, 180),
-    )
+    """Above: data points and the map; below: data points less the map."""
+    above, below = figure.subplots(2, 1, sharex=True, height_ratios=(2, 1))
     grid = np.linspace(0.0, np.pi, 361)
-    columns = make_columns(grid, grid, fitted.harmonics, tilt=False)
-    curve = sum(fitted.value(name) * column for name, column in columns.items())
     for number, run in enumerate(runs):
-        label = f"100 s means, {len(runs)} runs" if number == 0 else None
-        rate = fitted.remove_tilt(run) / DEG_PER_H
-        axes.plot(run.pattern_angle % np.pi / DEG, rate, ".", label=label, ms=4)
+        label = f"{SEGMENT:g} s means, {len(runs)} runs" if number == 0 else None
+        angle, rate = run.pattern_angle % np.pi / DEG, fitted.remove_tilt(run)
+        residual = rate - fitted.evaluate(run.pattern_angle)
+        above.plot(angle, rate / DEG_PER_H, ".", label=label, ms=4)
+        below.plot(angle, residual / DEG_PER_H, ".", ms=4)
     names = ", ".join(str(order) for order in fitted.harmonics) or "none"
-    axes.plot(grid / DEG, curve / DEG_PER_H, "k-", lw=1.2, label=f"fit, harmonics {names}")
-    finish_axes(axes, "pattern angle, deg", "bias, deg/h")
+    curve = fitted.evaluate(grid) / DEG_PER_H
+    above.plot(grid / DEG, curve, "k-", lw=1.2, label=f"fit, harmonics {names}")
+    finish_axes(above, "", "bias, deg/h", xlim=(0, 180))
+    above.set_title("Bias over the circumference" + (", tilt removed" if fitted.tilt else ""))
+    below.set(xlabel="pattern angle, deg", ylabel="less the fit, deg/h")
+    below.grid(alpha=0.3)
 
 
 PROCEDURE: Procedure = Procedure(

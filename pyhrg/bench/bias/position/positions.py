@@ -173,7 +173,7 @@ def _describe_incompleteness(points: Points, expected: int) -> str:
     count = points.dwells
     present = f"{count} positions hold a segment of {SEGMENT:g} s after settling"
     if count < 8 or count % 8:
-        return f"{present}; the test needs 8N, at least 8"
+        return f"{present}; the test needs 8N, at least 8, of a pattern that is not swept"
     if count < expected:
         return f"{present}, {expected} in other power-ons; left out"
     first = np.unique(points.dwell, return_index=True)[1]
@@ -181,7 +181,7 @@ def _describe_incompleteness(points: Points, expected: int) -> str:
     if np.ptp(steps) > STEP_TOLERANCE * np.median(steps):
         return (
             f"positions lie {steps.min():.1f} to {steps.max():.1f} deg of pattern apart; "
-            "the test needs them evenly spaced"
+            "the test needs them evenly spaced, and a pattern that the electronics don't sweep"
         )
     return ""
 
@@ -210,7 +210,7 @@ def describe_leakage(points: Points) -> str:
 
 
 WITHIN = "standard deviation of a position's points: noise, and what the pattern drifts over"
-BETWEEN = "standard deviation of the positions' true means, without the noise"
+BETWEEN = "standard deviation (n - 1) of the positions' true means, without the noise"
 ONE_POINT = "one point a position: can't be separated"
 
 

@@ -1,22 +1,28 @@
 """Figures of a channel as inline SVG: Allan deviation and spectrum, measured and modelled."""
 
 import io
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import matplotlib
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyhrg.common.arrays import Array
 from pyhrg.gap.static_record.allan import ChannelNoise
+from pyhrg.gap.static_record.allan_figure import (
+    AFTER,
+    MEASURED,
+    plot_deviation,
+    plot_fitted_noise,
+    scale_axes,
+)
 from pyhrg.gap.static_record.fit.diagnosis import ChannelDiagnosis
 from pyhrg.gap.static_record.terms import Kind
 from pyhrg.noise.allan import AllanDeviation, estimate_allan_deviation
 from pyhrg.noise.coefficients import Coefficient, NoiseCoefficients, compute_allan_deviation
 from pyhrg.noise.likelihood import compute_spectrum
 
-MEASURED, BEFORE, AFTER = "#0072b2", "#555555", "#d55e00"
+BEFORE = "#555555"
 SIZE = (6.4, 4.2)
 """Width and height of a figure, inches."""
 
@@ -39,41 +45,15 @@ def draw_fitted_noise(each: ChannelNoise) -> str:
     """Allan deviation with 95 % intervals, and that of the noise and the rate ramp fitted to the
     record."""
     figure = plot_measured_allan(each.deviation, each.channel.kind)
-    _plot_fitted_noise(figure.axes[0], each)
+    plot_fitted_noise(figure.axes[0], each.deviation.tau, each.noise, each.ramp, each.channel.kind)
     return _render(figure)
-
-
-def plot_noise(figure: Figure, channels: Sequence[ChannelNoise]) -> None:
-    """Draw the same of each channel into a figure, up to three side by side."""
-    columns = min(len(channels), 3)
-    for number, each in enumerate(channels, 1):
-        axes = figure.add_subplot(-(-len(channels) // columns), columns, number)
-        _plot_measured_allan(axes, each.deviation, each.channel.kind)
-        _plot_fitted_noise(axes, each)
-        axes.set_title(each.channel.name)
-        axes.legend()
-
-
-def _plot_fitted_noise(axes: Axes, each: ChannelNoise) -> None:
-    tau, scale = each.deviation.tau, each.channel.kind.rate_scale
-    drift = each.ramp.value * tau / np.sqrt(2)
-    fitted = np.hypot(compute_allan_deviation(tau, each.noise), drift) / scale
-    axes.plot(tau, fitted, "-", color=AFTER, label="fitted noise and rate ramp")
 
 
 def plot_measured_allan(measured: AllanDeviation, kind: Kind) -> Figure:
     """A figure of the Allan deviation with its 95 % intervals."""
     figure = Figure(figsize=SIZE, layout="constrained")
-    _plot_measured_allan(figure.add_subplot(), measured, kind)
+    plot_deviation(figure.add_subplot(), measured, kind)
     return figure
-
-
-def _plot_measured_allan(axes: Axes, measured: AllanDeviation, kind: Kind) -> None:
-    scale = kind.rate_scale
-    _scale_axes(axes, "cluster time, s", f"Allan deviation, {kind.rate_unit}")
-    low, high = measured.low / scale, measured.high / scale
-    axes.fill_between(measured.tau, low, high, color=MEASURED, alpha=0.2, lw=0)
-    axes.plot(measured.tau, measured.deviation / scale, "o", ms=3, color=MEASURED, label="measured")
 
 
 def draw_spectrum(d: ChannelDiagnosis) -> str:
@@ -91,15 +71,10 @@ def draw_spectrum(d: ChannelDiagnosis) -> str:
 
     figure = Figure(figsize=SIZE, layout="constrained")
     axes = figure.add_subplot()
-    _scale_axes(axes, "frequency, Hz", f"density of the rate, {d.channel.kind.rate_unit}/sqrt(Hz)")
+    scale_axes(axes, "frequency, Hz", f"density of the rate, {d.channel.kind.rate_unit}/sqrt(Hz)")
     measured = np.sqrt(2 * gain * spectrum.power / bands.count) / scale
     axes.plot(hertz, measured, ".", ms=3, color=MEASURED, label="measured")
     return _finish(d, figure, hertz, model)
-
-
-def _scale_axes(axes: Axes, x: str, y: str) -> None:
-    axes.set(xscale="log", yscale="log", xlabel=x, ylabel=y)
-    axes.grid(which="both", alpha=0.2)
 
 
 def _finish(d: ChannelDiagnosis, figure: Figure, x: Array, model: Callable[[Array], Array]) -> str:

@@ -4,7 +4,7 @@ import numpy as np
 
 from ins_eval.mission_model import pattern_drift, signals
 from ins_eval.mission_model.alignment_at_rest import AlignmentAtRest
-from ins_eval.mission_model.gyro_map import TERMS, start_maps
+from ins_eval.mission_model.gyro_map import TERMS, evaluate_terms, start_maps
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.position_errors import TriadBlock
 from ins_eval.mission_model.signals import COUNT
@@ -77,6 +77,7 @@ def triads(seed: int, count: int, spread: Array = SPREAD, fit: Array = FIT) -> T
     noise = np.zeros((count, len(COEFFICIENT_NAMES), 3))
     noise[:, 1] = WALK
     return TriadBlock(
+        fixed_bias=np.einsum("rat,rta->ra", evaluate_terms(start_angle), known[:, :TERMS]),
         fixed_stability=0.01 * stability[::-1],
         fixed_repeatability=0.001 * stability[::-1],
         circumference_stability=stability,

@@ -9,7 +9,7 @@ from ins_eval.study.report.claim_table import render_claims, render_conditions
 from ins_eval.study.report.claims import (
     judge_claims,
     judge_conditions,
-    list_failures,
+    list_conditions,
     name_requirement,
 )
 from ins_eval.study.report.page import render_page
@@ -70,10 +70,10 @@ def test_rows_are_as_wide_as_the_head(result: StudyData) -> None:
 
 def test_where_claims_fail_is_said_on_top(result: StudyData) -> None:
     top = render_page(result).split("</header>")[0]
-    for name, n, failing in list_failures(result):
-        assert f"<td>{html.escape(name)}<br>" in top
-        assert f'<td data-label="n">{n}</td>' in top
-        for figure in failing:
+    for each in list_conditions(result):
+        assert f"<td>{html.escape(each.name)}<br>" in top
+        assert f'<td data-label="n">{each.n}</td>' in top
+        for figure in each.lines:
             assert html.escape(figure) in top
 
 

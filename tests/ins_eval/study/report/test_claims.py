@@ -11,7 +11,7 @@ from ins_eval.study.report.claims import (
     format_score,
     judge_claims,
     judge_conditions,
-    list_failures,
+    list_conditions,
     state_claims,
 )
 from ins_eval.study.specification import TEST
@@ -57,9 +57,9 @@ def test_where_a_claim_fails_is_said_with_its_figure() -> None:
     overall = replace(R2, mission_class=ALL, value=0.95, low=0.94, high=0.96, verdict="fails")
     (judged,) = judge_claims(study(overall, R2, CAR), "map")
     assert describe_claim(judged) == (
-        "(c) The fitted map and the trajectory predict each flight: HOLDS IN PART. R2 of single "
-        "flights 0.950 (0.940 to 0.960) (n = 40 triads, 2 classes). Not shown in car: R2 of single "
-        "flights 0.900 (0.850 to 0.940), required >= 0.97: fails."
+        "(c) The fitted map and the trajectory predict each flight: HOLDS IN PART (n = 40 triads, "
+        "2 classes).\n    R2 of single flights, required >= 0.97: all 0.950 (0.940 to 0.960); "
+        "car 0.900 (0.850 to 0.940) fails; ship 0.980 (0.975 to 0.990) holds"
     )
     assert "<b>0.900</b><br><small>0.850 to 0.940" in render_claims(study(overall, R2, CAR))
     assert state_claims(study(R2, CAR)) == (
@@ -67,15 +67,14 @@ def test_where_a_claim_fails_is_said_with_its_figure() -> None:
     )
 
 
-def test_ceiling_stands_beside_what_does_not_hold() -> None:
-    """Where the claim holds nothing needs an explanation."""
-    ceiling = replace(R2, predictor="true_parameters", value=0.92, asked="", verdict="")
-    result = study(R2, CAR, ceiling, replace(ceiling, mission_class="car", low=0.88, high=0.95))
-    (judged,) = judge_claims(result, "map")
+def test_ceiling_stands_beside_the_claim() -> None:
+    ceiling = replace(R2, predictor="true_parameters", value=0.92, low=0.88, high=0.95)
+    beside = replace(ceiling, mission_class="car", asked="", verdict="")
+    (judged,) = judge_claims(study(R2, CAR, beside), "map")
     assert judged.verdict == "holds in part"
     assert describe_claim(judged).endswith(
-        "fails. Beside it, car: R2 of the true maps, mounting unknown: the ceiling 0.920 "
-        "(0.880 to 0.950)."
+        "\n    beside it: R2 of the true maps, mounting unknown: the ceiling: car 0.920 "
+        "(0.880 to 0.950)"
     )
 
 
@@ -94,10 +93,14 @@ def test_r2_below_zero_is_worse_than_the_mean() -> None:
 def test_conditions_name_the_claims_that_fail() -> None:
     result = synthetic(12)
     assert [each.claim.letter for each in judge_conditions(result)] == [*"abc"]
-    (_, _, none), (_, n, failing) = list_failures(result)
-    assert (none, n) == ([], 12)
-    assert failing[0].startswith("(b) flown / predicted, by the class constant")
+    level, calibrated = list_conditions(result)
+    assert (level.figures["fails"], level.n) == ([], 12)
+    assert calibrated.figures["fails"][0].startswith("(b) flown / predicted, by the class constant")
+    assert level.figures["undecided"][0].startswith("(c) R2 of single flights")
     first, second = describe_conditions(result)
-    assert first == "straight & level (12 triads, linear flights): no claim fails."
-    assert second.startswith("self-calibrated (12 triads, linear flights): (b) flown / predicted")
+    title, *lines = first.split("\n    ")
+    assert title == "straight & level (12 triads, linear flights)"
+    assert [line.split(":")[0] for line in lines] == ["fails", "undecided", "holds"]
+    assert lines[0] == "fails: no figure"
+    assert "fails: (b) flown / predicted" in second
     assert describe_conditions(synthetic(4, conditions=False)) == []

@@ -53,7 +53,7 @@ CHEAP = Experiment(made, conclude, ("triads.txt", "draws.json"))
 
 def install() -> None:
     """Put the cheap experiment, which has no verdict, in the place of the study's."""
-    run_study.make_experiment = lambda: CHEAP
+    run_study.make_experiment = lambda study: CHEAP
     run_study.StudyResult.verdict = "cheap"  # type: ignore[method-assign,assignment]
 
 

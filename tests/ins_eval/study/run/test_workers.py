@@ -24,7 +24,9 @@ SMALL = replace(
 
 def test_same_bytes_by_any_number_of_workers(tmp_path: Path) -> None:
     for workers in (1, 2):
-        run_experiment(SMALL, tmp_path / str(workers), make_experiment(), Cluster(workers=workers))
+        run_experiment(
+            SMALL, tmp_path / str(workers), make_experiment(SMALL), Cluster(workers=workers)
+        )
     one, two = (contents(tmp_path / str(workers)) for workers in (1, 2))
     assert {"study.parquet", "phase_diagram.csv", "study.json", "report.html"} < set(one)
     assert one == two

@@ -1,10 +1,13 @@
 """Measures of errors whose statistics are known."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 
 from ins_eval.study.scores import measures
 from ins_eval.study.scores.resampling import Statistic
+from pyhrg.common.arrays import Array
 
 N = 100_000
 RANDOM = np.random.default_rng(1)
@@ -33,10 +36,24 @@ def test_r2_of_components_is_about_zero() -> None:
 
 def test_shortfall_and_share_of_a_part() -> None:
     """The reference alone lacks what is known beyond: 1 of the variance of 5.25."""
-    lacking = measures.compute_r2_shortfall(FLOWN, 10 + 2 * REFERENCE, FLOWN - 0.5 * REST)
+    lacking = measures.compute_r2_gain(FLOWN, FLOWN - 0.5 * REST, 10 + 2 * REFERENCE)
     assert lacking == pytest.approx(1 / 5.25, abs=3e-3)
     flown, part = np.array([[[3.0, 4.0]]]), np.array([[[0.0, 1.0]]])
     assert measures.compute_power_share(flown, part) == pytest.approx(1 / 25)
+
+
+def test_skill_is_the_share_of_the_interval_score_that_is_saved() -> None:
+    """Intervals that are right save over those without knowledge the ratio of their sigmas, and
+    nothing over themselves."""
+    half = 1.6448536269514722
+
+    def interval(middle: Array | float, sigma: float) -> list[Array]:
+        return [middle + sigma * z + 0 * FLOWN for z in (-half, 0.0, half)]
+
+    blind, reference = interval(10.0, np.sqrt(5.25)), interval(10 + 2 * REFERENCE, np.sqrt(1.25))
+    found = measures.compute_skill(FLOWN, *reference, *blind, inside=0.9)
+    assert found == pytest.approx(1 - np.sqrt(1.25 / 5.25), abs=0.01)
+    assert measures.compute_skill(FLOWN, *blind, *blind, inside=0.9) == 0.0
 
 
 def test_ratios() -> None:
@@ -61,6 +78,7 @@ def test_ranks_of_single_flights() -> None:
     same = np.repeat(figure, 2, axis=1)
     assert measures.compute_flight_spearman(flown, same) == pytest.approx(1.0)
     assert measures.compute_flight_spearman(flown, -same) == pytest.approx(-1.0)
+    assert measures.compute_flight_spearman_gain(flown, same, -same) == pytest.approx(2.0)
 
 
 @pytest.mark.parametrize(
@@ -71,6 +89,9 @@ def test_ranks_of_single_flights() -> None:
         (measures.compute_median_ratio, 2, ()),
         (measures.compute_spearman, 2, (3,)),
         (measures.compute_flight_spearman, 2, ()),
+        (measures.compute_flight_spearman_gain, 3, ()),
+        (measures.compute_r2_gain, 3, ()),
+        (partial(measures.compute_skill, inside=0.9), 7, ()),
     ],
 )
 def test_resamples_in_front_are_taken_one_by_one(

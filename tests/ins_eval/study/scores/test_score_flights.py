@@ -57,8 +57,21 @@ def test_claims_have_requirements(judged: list[Score]) -> None:
     assert shortfall.value == pytest.approx(true.value - fitted.value)
     size = _one(judged, score.MEDIAN_RATIO, "circumference_class")
     assert (size.asked, size.verdict) == ("within a factor of 1.3", "holds")
+    for name in (score.SKILL_OVER_FIXED, score.SKILL_OVER_CLASS):
+        skill = _one(judged, name, "circumference_class")
+        assert (skill.asked, skill.verdict) == ("above 0", "holds")
     wrong = _one(judged, score.MEDIAN_RATIO, "fixed_rule")
     assert (wrong.asked, wrong.verdict) == ("wrong by a factor of 2", "holds")
+
+
+def test_too_few_triads_do_not_show_that_nothing_is_ranked() -> None:
+    """An interval that is wider than the bound decides nothing, though it holds 0."""
+    for count, verdict in ((12, "undecided"), (150, "holds")):
+        flights = table(count)
+        ship = flights[flights[columns.CLASS] == "ship"]
+        rank = _one(score_flights(ship, seed=7), score.SPEARMAN, "fixed_rule", "ship")
+        assert (rank.asked, rank.verdict) == ("within 0.2 of 0", verdict)
+        assert rank.low < 0 < rank.high
 
 
 def test_coverage_is_held_to_the_level_asked(flown: pd.DataFrame) -> None:

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from pyhrg.bench.bench import PowerOn
 from pyhrg.bench.bias.bias_test import BiasTest
 from pyhrg.bench.bias.position import fixed_position, full_circumference
 from pyhrg.bench.bias.position.positions import Plan
@@ -119,6 +120,13 @@ def test_too_few_positions_are_refused(slow_fmu: GyroFmu) -> None:
     short = replace(test, recording=replace(test.log, **half))
     with pytest.raises(BenchError, match=r"positions_1: 5 positions .* at least 8"):
         full_circumference.evaluate(bench.campaign([short]))
+
+
+def test_a_log_that_is_too_short_says_how_long_it_is(slow_fmu: GyroFmu) -> None:
+    bench = slow_bench(slow_fmu, QUIET)
+    short = bench.run([PowerOn("short", "static", bench.programme().rest(20.0))])
+    with pytest.raises(BenchError, match=r"30 s from power-on; the longest rest lasts 20 s$"):
+        fixed_position.evaluate(bench.campaign(short))
 
 
 def test_stability_and_repeatability_are_the_papers() -> None:

@@ -87,7 +87,7 @@ def test_commands_that_change_part_a_log(slow_fmu: GyroFmu) -> None:
 def test_records_that_cannot_say_it_are_refused(slow_fmu: GyroFmu) -> None:
     bench = slow_bench(slow_fmu, TYPICAL)
     short = bench.run([PowerOn("short", "static", bench.programme().rest(200.0))])
-    with pytest.raises(BenchError, match=r"short: no stretch at rest .* 256 rows; the longest has"):
+    with pytest.raises(BenchError, match=r"short: no stretch .* 256 rows .*; the longest has 200"):
         random_walk.evaluate(bench.campaign(short))
     still = bench.programme().rest(400.0)
     wrong = bench.run([PowerOn("still", "virtual_rotation", still)])

@@ -70,6 +70,15 @@ def test_a_term_shared_by_tests_is_found_though_none_shows_it_alone() -> None:
     assert len(places) > 8
 
 
+def test_a_harmonic_is_named_only_where_the_angle_moves_through_a_period_of_it() -> None:
+    fourth = 4 * np.cos(60 * np.pi * TIME - 1)
+    design = design_of(COLUMNS, noise() + fourth)
+    (name,) = {block.test for block in design.blocks}
+    for travel, harmonic in ((0.0, None), (1.5, None), (1.6, 4)):
+        places = locate_gap(design, {(name, "wave_angle"): travel})
+        assert {(p.coordinate, p.harmonic) for p in places} == {("wave_angle", harmonic)}
+
+
 def test_the_first_of_equally_good_coordinates_is_taken() -> None:
     """A constant, though a squared force that is one in almost all rows explains as much."""
     mean = CandidateTerm("gyro_angle", "wave_angle", "mean", 0)

@@ -15,7 +15,15 @@ from pyhrg.gap.findings.faults import list_fault_causes, list_tolerated_faults
 from pyhrg.gap.findings.term import Formula, Term
 from pyhrg.gap.report.page import build_page
 from pyhrg.gap.report.sections import Section
-from pyhrg.gap.report.verdict import REMEDIES, USE_DEVICE, answer_questions, summarize_diagnosis
+from pyhrg.gap.report.terms import build_terms
+from pyhrg.gap.report.verdict import (
+    IMMATERIAL_CAUSE,
+    REMEDIES,
+    USE_DEVICE,
+    answer_questions,
+    summarize_diagnosis,
+    write_headline,
+)
 from pyhrg.gap.soundness.fault import FAULT_NAMES, LOST_ROWS, OUTLIERS, TABLE_SIGN, Fault
 from pyhrg.gap.whitening.whitening import CorrelatedNoise
 from tests.elements import check_drawings_have_words, check_nothing_is_loaded, elements
@@ -131,6 +139,35 @@ def test_a_term_is_said_with_its_rivals_and_what_tells_it_from_known_mechanisms(
     assert any("rate times its magnitude (gyro_angle) 30.0" in s for s in answers["How sure"])
     assert any("authority (30). To tell:" in s for s in answers["What next"])
     assert "removes 93 % of the excess" in build_page(replace(with_gap, diagnosis=said))
+
+
+def test_a_test_that_the_campaign_has_is_not_asked_for(with_gap: CampaignDiagnosis) -> None:
+    term = Term("damping", ("wave_angle",), Formula("damping", "w"), {"w": 1.0}, {"w": (0.0, 2.0)},
+                0.6, 0.9, "amplitude_force", "damping: harmonic 2", {}, None)  # fmt: skip
+    without = replace(with_gap, diagnosis=replace(with_gap.diagnosis, terms=(term,)))
+    first, *others = without.tests
+    ring_down = replace(first, test=replace(first.test, kind="ring_down"))
+    for result, is_asked in (
+        (without, True),
+        (replace(without, tests=(ring_down, *others)), False),
+    ):
+        next_steps = " ".join(answer_questions(result)["What next"])
+        assert "is next to damping anisotropy (1)." in next_steps
+        assert ("To tell: a ring-down" in next_steps) == is_asked
+        assert ("To tell: a ring-down" in build_terms(result)) == is_asked
+
+
+def test_an_immaterial_cause_without_a_name_stands_in_the_headline(
+    with_gap: CampaignDiagnosis,
+) -> None:
+    diagnosis = replace(with_gap.diagnosis, unknown_probability=0.999)
+    assert diagnosis.verdict == "explained"
+    assert write_headline(diagnosis).endswith(f"damping anisotropy; {IMMATERIAL_CAUSE}.")
+    answers = answer_questions(replace(with_gap, diagnosis=diagnosis))
+    assert any(s.endswith("but immaterial by the bound.") for s in answers["How sure"])
+    for probability, verdict in ((0.4, "explained"), (0.999, "unexplained")):
+        said = replace(diagnosis, unknown_probability=probability, verdict=verdict)
+        assert IMMATERIAL_CAUSE not in write_headline(said)
 
 
 def test_a_search_that_did_not_come_to_rest_is_told(with_gap: CampaignDiagnosis, text: str) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
+import pyhrg
 from pyhrg import compute_allan
 from pyhrg.cli import allan
 from pyhrg.common.errors import HrgError
@@ -92,6 +93,16 @@ def test_the_command_writes_what_it_says(
     allan.run(parser.parse_args([str(log), "--out", str(out), "--json"]))
     document = json.loads(capsys.readouterr().out)
     assert document == json.loads((out / "allan.json").read_text())
+    other = tmp_path / "other.csv"
+    other.write_bytes(log.read_bytes())
+    with pytest.raises(HrgError, match=r"allan\.json: another run: source: found 'log\.csv'"):
+        compute_allan(other, out=out)
+    compute_allan(other, out=out, force=True)
+    with pytest.raises(HrgError, match=r"report\.html: found the report of another command"):
+        pyhrg.run_test("fixed-position", out=out)
+    (out / "allan.json").unlink()
+    with pytest.raises(HrgError, match=r"report\.html: found the report of another command"):
+        compute_allan(log, out=out)
     walk = document["channels"]["gyro"]["angle_random_walk_deg_sqrt_h"]
     assert walk["value"] == pytest.approx(0.01, rel=0.1)
     assert f"{N - 1} readings every 0.1 s" in (out / "report.html").read_text()

@@ -76,8 +76,8 @@ def _respond(
                "-gyro.amplitudeForce": -driven}  # fmt: skip
     if channel == "amplitude_force":
         return np.asarray(values * numbers[factors["addedAmplitudeForce"]])
-    rate = (
-        values * numbers[factors["addedRate"]] if "addedRate" in factors else np.zeros_like(values)
-    )
+    by = factors.get("addedRate")
+    pushing = (values + np.append(values[:1], values[:-1])) / 2 if by == GROWTH else values
+    rate = np.zeros_like(values) if by is None else pushing * numbers[by]
     angle = values if "addedAngle" in factors else np.zeros_like(values)
     return np.asarray(angle + np.cumsum(rate) * log.interval)

@@ -3,7 +3,7 @@ compiler, or gives it work without end, ends that process alone.
 
 Called as `python -m fmu_build.equations.class_compiler LIBRARY MODEL FILE RESULT`, it writes the
 compiler's document, JSON. What else stands in the file's folder, and the compiler would read, is
-left out: the file is compiled in RESULT's folder.
+left out, but for a package's: the file is compiled in RESULT's folder.
 """
 
 import json
@@ -60,7 +60,8 @@ def _limit_resources() -> None:
 
 def _main() -> None:
     library, model, file, result = sys.argv[1:]
-    alone = shutil.copy(file, Path(result).parent)
+    is_package = Path(file).name == "package.mo"
+    alone = file if is_package else shutil.copy(file, Path(result).parent)
     rumoca = import_extra("rumoca")
     _limit_resources()
     try:

@@ -92,6 +92,8 @@ def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
     ends = list(accumulate(len(design.columns[group]) for group in groups))
     parts = [slice(end - len(design.columns[g]), end) for g, end in zip(groups, ends, strict=True)]
     where = np.concatenate([design.columns[g] for g in groups])
+    if not design.norms[where].all():
+        return None
     gram = design.gram[where[:, None], where]
     factor, failed = dpotrf(gram)
     diagonal = factor.diagonal()

@@ -29,6 +29,8 @@ MIN_DIFFERENCES = 30
 """Fewest differences from which a variance is estimated. Chosen."""
 REST_RATE = 1e-4
 """Table rate below which the table counts as resting, rad/s. Chosen."""
+LEAST_STEP = 0.5
+"""Smallest over largest step of rows in which the table turns steadily. Chosen."""
 SIGNIFICANCE_SIGMA = 4.0
 """A noise counts as present above this many standard errors of its variance. Chosen."""
 MIN_NOISE = 1e-8
@@ -124,7 +126,7 @@ def _measure_variances(log: Log) -> Iterator[Variances]:
     turn = log.table_angle[DIFFERENCE_ORDER:] - log.table_angle[:-DIFFERENCE_ORDER]
     rates = np.abs(turn) / (DIFFERENCE_ORDER * log.interval)
     octaves = np.floor(np.log2(np.maximum(rates, REST_RATE) / REST_RATE))
-    known = np.isfinite(apart)
+    known = np.isfinite(apart) & _is_steady(log)
     for octave in np.unique(octaves[known]):
         rows = known & (octaves == octave)
         rows[rows] = _is_inlier(table[rows]) & _is_inlier(apart[rows])
@@ -139,6 +141,17 @@ def _measure_variances(log: Log) -> Iterator[Variances]:
                 continue
             is_white = _average_most(wide[rows]) < MAX_STRIDE_RATIO * shared.value
             yield Variances(of_encoder, of_gyro, both, shared if is_white else None)
+
+
+def _is_steady(log: Log) -> NDArray[np.bool_]:
+    """(n - 4,) whether the table rests, or turns in each row of a difference: where it starts or
+    stops, a difference is the motion's own."""
+    steps = np.abs(np.diff(log.table_angle))
+    within = np.lib.stride_tricks.sliding_window_view(steps, DIFFERENCE_ORDER)
+    least, most = within.min(axis=1), within.max(axis=1)
+    noise = OUTLIER_SIGMA * math.sqrt(2) * estimate_scatter(log.table_angle)
+    is_at_rest = most < max(REST_RATE * log.interval, noise)
+    return np.asarray(is_at_rest | (least >= LEAST_STEP * most))
 
 
 def _average_most(products: Array) -> float:

@@ -33,9 +33,9 @@ beside what it is added to; a vibration that changes gains by more than themselv
 larger than `MOVE` allows for; at a bias voltage of 1 what follows it vanishes; a longer rest
 keeps the sweep from moving anything at once."""
 
-MOVE = 1e-4
+MOVE = 3e-4
 """Relative. The difference errs by its square times the curvature over the slope, and by rounding
-in what the equations subtract, which is up to 1e-10 of their result: 1e-6 each."""
+in what the equations subtract, which is up to 1e-10 of their result: 1e-6 at most."""
 
 
 CONVERTER = {
@@ -57,12 +57,15 @@ RESTING = {
     "noise.rateRandomWalk",
     "noise.biasInstability",
     "noise.virtualRotation",
+    "flicker.dampingAnisotropy",
+    "flicker.gainMismatch",
+    "flicker.phaseError",
 }
 """At the start time forces, the ramp, the age and the difference of the temperatures of case and
 resonator are zero, and these are multiplied by them; noise that has moved nothing yet only decides
 whether any is drawn."""
 
-STILL = {"valid", "gyroRate", "noise.isMade"}
+STILL = {"valid", "gyroRate", "noise.isMade", "flicker.isMade"}
 """Outputs that jump at thresholds, or are zero until a second sample."""
 
 

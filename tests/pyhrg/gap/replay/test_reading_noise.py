@@ -153,3 +153,12 @@ def test_a_sentence_states_each_noise() -> None:
     assert encoder.startswith("table_angle_deg: scatters by 1 arcsec where the gyro does not")
     assert gyro.startswith("gyro_angle_deg: scatters by 3e-05 s times the table's rate")
     assert row.startswith("time_s: table_angle_deg and gyro_angle_deg scatter together by 3e-05 s")
+
+
+def test_starts_and_stops_of_the_table_are_no_jitter() -> None:
+    """Rests of 300 s, and turns of 10 s between them at one rate, in rows of 1 s."""
+    rate = np.where(np.arange(ROWS) % 310 < 300, 0.0, 8 * DEG)
+    motion = np.cumsum(rate)
+    gyro = motion + draw_noise(GYRO_NOISE, 2)
+    log = replace(made_up_log(ROWS), interval=1.0, table_angle=motion, gyro_angle=gyro)
+    assert estimate_reading_noise([log]) == ReadingNoise()

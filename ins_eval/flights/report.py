@@ -85,10 +85,11 @@ class Flight:
     def budget_table(self) -> pd.DataFrame:
         """Contributions to run 1's final position error, m, by effect and axis; of a log, those to
         its one-sigma. Units of the columns are in `attrs["units"]`."""
-        table = self.budget.table if self.budget else pd.DataFrame()
-        table = table if self.sigma_budget is None else self.sigma_budget.copy()
-        units = {name: "m" if name.endswith("_m") else "1" for name in table.columns}
-        table.attrs["units"] = units
+        if self.sigma_budget is not None:
+            table = self.sigma_budget.copy()
+        else:
+            table = self.budget.table if self.budget else pd.DataFrame()
+        table.attrs["units"] = {n: "m" if n.endswith("_m") else "1" for n in table.columns}
         return table
 
     @property

@@ -33,7 +33,6 @@ from pyhrg.device.parameter_set import format_values
 
 FMI = 2
 """Version of the standard of all components: the one that every importer of an SSP runs."""
-"""Name of every component's parameter set: Ecos applies those of one name."""
 
 
 def write_system(

@@ -17,7 +17,8 @@ tells that the work goes on, and an hour of it fills two screens."""
 
 class Progress:
     """A bar with the share that is done and the time that is left, and lines that stay. The bar
-    goes to a terminal alone. The methods may be called from any thread."""
+    goes to a terminal alone; whatever else reads gets a line of it each `LINE_SPACING`. The methods
+    may be called from any thread."""
 
     def __init__(self, show: Show, title: str = "", unit: str = "") -> None:
         self._show, self._title = show, title

@@ -14,8 +14,13 @@ from pyhrg.common.units import DEG, DEG_PER_H
 RUNS = 7
 """Number of power-ons of a test (paper 4.1, item 4)."""
 POINT_UNITS = {
-    **{"run": "1", "position": "1", "time_s": "s", "pattern_angle_deg": "deg"},
-    **{"table_angle_deg": "deg", "bias_deg_per_h": "deg/h", "sigma_deg_per_h": "deg/h"},
+    "run": "1",
+    "position": "1",
+    "time_s": "s",
+    "pattern_angle_deg": "deg",
+    "table_angle_deg": "deg",
+    "bias_deg_per_h": "deg/h",
+    "sigma_deg_per_h": "deg/h",
 }
 """Units of the columns of a table of data points."""
 

@@ -241,10 +241,8 @@ def _generate_temperature_functions(where: Coordinates) -> Functions:
 def _generate_rate_functions(where: Coordinates) -> Functions:
     rate = where.table_rate
     for m in RATE_HARMONICS:
-        words, harmonic = (
-            f"harmonic {m} of the pattern angle",
-            make_harmonic(m * where.pattern_angle),
-        )
+        harmonic = make_harmonic(m * where.pattern_angle)
+        words = f"harmonic {m} of the pattern angle"
         yield "wave_angle", *where.multiply(words, harmonic, "the rate")
     for p, words in ((1, "rate"), (2, "rate squared"), (3, "rate cubed")):
         yield "rate", words, None, rate**p

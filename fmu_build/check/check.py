@@ -10,8 +10,9 @@ from pyhrg.common.errors import HrgError
 class Check:
     """What was asked, what was found, and a remark.
 
-    skipped: why nothing could be asked here, empty where something was; asked: whether there was
-    anything to ask.
+    Attributes:
+        skipped: why nothing could be asked here, empty where something was.
+        asked: whether there was anything to ask.
     """
 
     name: str

@@ -24,7 +24,9 @@ Trace = dict[str, list[float]]
 class Run:
     """Start at `start`, `steps` communication steps of `step`, s, all else as the file has it.
 
-    standards: what an importer must know; outputs: names and value references of what is recorded.
+    Attributes:
+        standards: what an importer must know.
+        outputs: names and value references of what is recorded.
     """
 
     path: str
@@ -39,7 +41,9 @@ class Run:
 class Experiment(Run):
     """Run of an FMU.
 
-    inputs: values of inputs, set before initialization and held; references: of these.
+    Attributes:
+        inputs: values of inputs, set before initialization and held.
+        references: of these.
     """
 
     identifier: str

@@ -36,8 +36,10 @@ class MissingError(Exception):
 class Importer(Generic[Planned]):
     """An importer: what it is called, which standards it knows, and how to install it.
 
-    modules: are loaded before the FMU is: an error of theirs is no fault of the FMU; none for a
-    program that is no Python package. run: a function of a module.
+    Attributes:
+        modules: are loaded before the FMU is: an error of theirs is no fault of the FMU; none for a
+            program that is no Python package.
+        run: a function of a module.
     """
 
     name: str

@@ -69,8 +69,9 @@ ANGLES = ("heading", "pitch", "roll")
 class StandingRecord:
     """Increments of a standing vehicle.
 
-    position: (3,) latitude, longitude (rad), height (m); mat_nb: (3, 3) true attitude at the
-    record's end, None if it isn't known.
+    Attributes:
+        position: (3,) latitude, longitude (rad), height (m).
+        mat_nb: (3, 3) true attitude at the record's end, None if it isn't known.
     """
 
     name: str
@@ -83,9 +84,12 @@ class StandingRecord:
 class AlignedRecord:
     """A record with the attitude found on it.
 
-    record: what was aligned on; alignment: attitude with its covariance; errors: sensor errors that
-    the covariance rests on; prior: name of the IMU that they are taken from; noise: what the record
-    itself shows of them.
+    Attributes:
+        record: what was aligned on.
+        alignment: attitude with its covariance.
+        errors: sensor errors that the covariance rests on.
+        prior: name of the IMU that they are taken from.
+        noise: what the record itself shows of them.
     """
 
     record: StandingRecord

@@ -37,7 +37,11 @@ the Allan deviation of their sum is flat to 5 % from 100 s to 30 000 s (test_ass
 
 @dataclass(frozen=True)
 class AssumedErrors:
-    """effects: of sensors; deviations: (e, 3) of their coefficients, SI; noise: random walks."""
+    """Attributes:
+    effects: of sensors.
+    deviations: (e, 3) of their coefficients, SI.
+    noise: random walks.
+    """
 
     effects: tuple[Effect, ...]
     deviations: Array

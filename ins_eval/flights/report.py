@@ -41,12 +41,14 @@ LABEL, NUMBER = 42, 12
 class Flight:
     """Flights of one plan, compared with the truth if it is known.
 
-    start: (3,) position at time 0: latitude, longitude (rad), height (m); alignments: one a run,
-    none if the runs start from the truth; dataset: navigated states by run and time; where a truth
-    is known, true states and errors; the linear model's one-sigma; for simulated IMUs, the
-    navigator's own error; sigma_budget: of a log, the final one-sigma by effect and axis
-    (`compute_sigma_budget`); imu_digest: SHA-256 of the IMU's parameters or of the log;
-    remark: what a user should know of the trajectory.
+    Attributes:
+        start: (3,) position at time 0: latitude, longitude (rad), height (m).
+        alignments: one a run, none if the runs start from the truth.
+        dataset: navigated states by run and time; where a truth is known, true states and errors;
+            the linear model's one-sigma; for simulated IMUs, the navigator's own error.
+        sigma_budget: of a log, the final one-sigma by effect and axis (`compute_sigma_budget`).
+        imu_digest: SHA-256 of the IMU's parameters or of the log.
+        remark: what a user should know of the trajectory.
     """
 
     plan: Plan

@@ -19,9 +19,11 @@ from pyhrg.records.imu.log import Increments
 class ImuReading:
     """Output of an IMU.
 
-    increments: in body axes; pattern_angle: (n, 3) of the gyros at the end of each interval, rad,
-    None for gyros without a pattern; ready: (n,) whether all gyros are ready at that time, None for
-    gyros without start-up.
+    Attributes:
+        increments: in body axes.
+        pattern_angle: (n, 3) of the gyros at the end of each interval, rad, None for gyros without
+            a pattern.
+        ready: (n,) whether all gyros are ready at that time, None for gyros without start-up.
     """
 
     increments: Increments
@@ -33,12 +35,13 @@ class ImuReading:
 class Imu:
     """An inertial measurement unit; ideal by default.
 
-    gyros, accelerometers: the sensors;
-    interval: of the increments, s;
-    mounting: of the gyros' input axes, as the navigator assumes it;
-    mounting_deviation: standard deviation of each input axis' error, in each of two directions,
-    rad;
-    name: for reports.
+    Attributes:
+        gyros, accelerometers: the sensors.
+        interval: of the increments, s.
+        mounting: of the gyros' input axes, as the navigator assumes it.
+        mounting_deviation: standard deviation of each input axis' error, in each of two directions,
+            rad.
+        name: for reports.
     """
 
     gyros: FmuGyros | StatedGyros = IDEAL_GYROS

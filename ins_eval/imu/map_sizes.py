@@ -19,13 +19,14 @@ CUBIC_SHARE = 0.75
 class MapSizes:
     """Standard deviations of a gyro's constants, from unit to unit; cosine and sine are alike.
 
-    mean: of the bias, rad/s.
-    bias: of the harmonics of the bias by the resonator and the drives, rad/s.
-    pick_off: of the harmonics of the relative gain of the pick-offs. They shift the detected angle;
-        the amplitude force then acts at a wrong angle, which adds a bias.
-    scale_factor: relative.
-    decay_time: over the share of the amplitude force that electrodes give, s; infinite where
-        parametric drive gives all.
+    Attributes:
+        mean: of the bias, rad/s.
+        bias: of the harmonics of the bias by the resonator and the drives, rad/s.
+        pick_off: of the harmonics of the relative gain of the pick-offs. They shift the detected
+            angle; the amplitude force then acts at a wrong angle, which adds a bias.
+        scale_factor: relative.
+        decay_time: over the share of the amplitude force that electrodes give, s; infinite where
+            parametric drive gives all.
     """
 
     mean: float

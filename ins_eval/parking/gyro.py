@@ -43,7 +43,10 @@ class Known(Enum):
 
 @dataclass(frozen=True)
 class Case:
-    """name: in files; label: in words. The vertical gyro starts as it comes in all of them."""
+    """Attributes:
+    name: in files.
+    label: in words. The vertical gyro starts as it comes in all of them.
+    """
 
     name: str
     label: str
@@ -107,8 +110,10 @@ ANGLES = {Start.ZERO: find_flattest_zero, Start.FLAT: find_flattest_extreme}
 class MappedGyro:
     """A gyro with its maker's maps.
 
-    bench: with the gyro on it; bias_map: as the maker measured it; calibrated: the gyro with the
-    measured maps in its electronics.
+    Attributes:
+        bench: with the gyro on it.
+        bias_map: as the maker measured it.
+        calibrated: the gyro with the measured maps in its electronics.
     """
 
     bench: Bench

@@ -43,9 +43,10 @@ DURATION = HOUR
 class TurningWeights:
     """Position error at the end per unit of each gyro error.
 
-    maps: (1, 2, 2 TERMS, 3) m per coefficient of a map that starts at angle 0, as
-    `MissionWeights.gyros`; noise: (KINDS, 3, 2, 2) covariance, m^2, per squared unit of each kind
-    of each gyro's noise.
+    Attributes:
+        maps: (1, 2, 2 TERMS, 3) m per coefficient of a map that starts at angle 0, as
+            `MissionWeights.gyros`.
+        noise: (KINDS, 3, 2, 2) covariance, m^2, per squared unit of each kind of each gyro's noise.
     """
 
     maps: Array
@@ -118,10 +119,13 @@ COLUMNS = ("turning_rev_per_h", "map_over_noise", "test", "share", "low", "high"
 class _Gyros:
     """Figures of r triads.
 
-    maps: (r, 2 TERMS, 3) true coefficients; drifting, missed: (r, 2 TERMS, 3) standard deviations
-    of their drift, which grows with the map, and of the bench's error, which does not; noise:
-    (r, KINDS, 3) strengths; stability: (r,) at the fixed position, rad/s; size: (r,) rms of the
-    bias map, rad/s.
+    Attributes:
+        maps: (r, 2 TERMS, 3) true coefficients.
+        drifting, missed: (r, 2 TERMS, 3) standard deviations of their drift, which grows with the
+            map, and of the bench's error, which does not.
+        noise: (r, KINDS, 3) strengths.
+        stability: (r,) at the fixed position, rad/s.
+        size: (r,) rms of the bias map, rad/s.
     """
 
     maps: Array

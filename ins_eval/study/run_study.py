@@ -25,7 +25,9 @@ from pyhrg.common.errors import HrgError, describe_briefly
 class StudyResult:
     """A finished study.
 
-    folder: folder of its files; files: their names.
+    Attributes:
+        folder: folder of its files.
+        files: their names.
     """
 
     folder: Path

@@ -18,9 +18,11 @@ UNITS = {"arcsec": ARCSEC, "deg": DEG, "deg_s": DEG, "m": 1.0, "m_s": 1.0, "s": 
 class Kind:
     """The values that a field takes.
 
-    expected: what they are, in words; holds: whether a file's value is one of them; unit: of a
-    quantity in a file, a key of `UNITS`; None of other values, which are the same in files and
-    inside.
+    Attributes:
+        expected: what they are, in words.
+        holds: whether a file's value is one of them.
+        unit: of a quantity in a file, a key of `UNITS`; None of other values, which are the same in
+            files and inside.
     """
 
     expected: str

@@ -19,8 +19,11 @@ TABLES = {
 class Cause:
     """One error of a gyro.
 
-    name: in the field's terms; keys: of a device file, those that state it; fields: of `Device`
-    that are ideal without it; model: parameters of the FMU that `Device.model` has not without it.
+    Attributes:
+        name: in the field's terms.
+        keys: of a device file, those that state it.
+        fields: of `Device` that are ideal without it.
+        model: parameters of the FMU that `Device.model` has not without it.
     """
 
     name: str

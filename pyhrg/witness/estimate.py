@@ -28,14 +28,19 @@ SIGMAS = f"{'sigma':>12s}{'without log':>12s}"
 class MapEstimate:
     """What a log tells of a gyro.
 
-    changes: (COUNT,) of `mechanisms.MECHANISMS` since the calibration, SI; covariance: of these;
-    prior: distribution of the changes before the log was read;
-    maps: (2 TERMS,) of the output's bias, rad/s, and scale-factor error now, over the pattern
-    angle; calibrated: (2 TERMS,) the same as the device has them at its reference temperature;
-    maps_covariance, maps_prior: (2 TERMS, 2 TERMS) covariances of the maps now, with the log and
-    without it;
-    temperature, angle: of the resonator above the reference, K, and of the pattern, rad, at the
-    log's end; burst_share: share of the rows that were limited; p_value: as of `Filtered`.
+    Attributes:
+        changes: (COUNT,) of `mechanisms.MECHANISMS` since the calibration, SI.
+        covariance: of these.
+        prior: distribution of the changes before the log was read.
+        maps: (2 TERMS,) of the output's bias, rad/s, and scale-factor error now, over the pattern
+            angle.
+        calibrated: (2 TERMS,) the same as the device has them at its reference temperature.
+        maps_covariance, maps_prior: (2 TERMS, 2 TERMS) covariances of the maps now, with the log
+            and without it.
+        temperature, angle: of the resonator above the reference, K, and of the pattern, rad, at the
+            log's end.
+        burst_share: share of the rows that were limited.
+        p_value: as of `Filtered`.
 
     Where the channels hold what no mechanism makes, or the estimate has not settled, `is_explained`
     is False, and changes and covariance are those of the prior.

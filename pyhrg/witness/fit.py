@@ -43,8 +43,11 @@ SCATTER_BLOCKS = 200
 class Flown:
     """What a fit needs of one gyro.
 
-    device: the gyro as it is believed; witnesses: of its flight; prior: of its changes; responses:
-    of the device, whose noise is that of the forces.
+    Attributes:
+        device: the gyro as it is believed.
+        witnesses: of its flight.
+        prior: of its changes.
+        responses: of the device, whose noise is that of the forces.
     """
 
     device: Device
@@ -57,10 +60,15 @@ class Flown:
 class FittedChanges:
     """What the forces say if nothing but the mechanisms made them.
 
-    changes: (COUNT,) since the calibration, SI; covariance: of these; responses: sensitivities of
-    the changed gyro; temperature, angle: of the resonator above the reference, K, and of the
-    pattern, rad, at the end; burst_share: share of the rows that were limited; p_value: as of
-    `Filtered`; moved: normalised square of what the last stage changed.
+    Attributes:
+        changes: (COUNT,) since the calibration, SI.
+        covariance: of these.
+        responses: sensitivities of the changed gyro.
+        temperature, angle: of the resonator above the reference, K, and of the pattern, rad, at the
+            end.
+        burst_share: share of the rows that were limited.
+        p_value: as of `Filtered`.
+        moved: normalised square of what the last stage changed.
     """
 
     changes: Array

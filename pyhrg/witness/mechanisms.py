@@ -26,9 +26,13 @@ SIGNALS: tuple[Signal, ...] = get_args(Signal)
 class Mechanism:
     """A number of a device that may have changed.
 
-    name: in reports; step: size of the change by which sensitivities are taken, SI: far above the
-    rounding of the simulation, and so small that the response is linear to 1e-3; read: its value;
-    add: the device with a change of it; signal: what it acts in proportion to.
+    Attributes:
+        name: in reports.
+        step: size of the change by which sensitivities are taken, SI: far above the rounding of the
+            simulation, and so small that the response is linear to 1e-3.
+        read: its value.
+        add: the device with a change of it.
+        signal: what it acts in proportion to.
     """
 
     name: str

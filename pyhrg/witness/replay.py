@@ -36,9 +36,14 @@ the case's rate of temperature needs two averages on both sides."""
 class Witnesses:
     """What a log holds of a gyro's own channels, with no row missing.
 
-    interval: of a row, s; angle: (n + 1,) detected pattern angle at the beginning of the first row
-    and at the end of each, rad; forces: (n, 2) amplitude and quadrature force, 1/s;
-    frequency: (n,) offset, rad/s; virtual_rotation: (n,) rad/s; specific_force: (n, 3) m/s^2.
+    Attributes:
+        interval: of a row, s.
+        angle: (n + 1,) detected pattern angle at the beginning of the first row and at the end of
+            each, rad.
+        forces: (n, 2) amplitude and quadrature force, 1/s.
+        frequency: (n,) offset, rad/s.
+        virtual_rotation: (n,) rad/s.
+        specific_force: (n, 3) m/s^2.
     """
 
     interval: float
@@ -64,9 +69,11 @@ class Witnesses:
 class Replay:
     """What the FMU makes of it.
 
-    residuals: (n, 2) recorded less simulated forces, 1/s; angle_error: rms of recorded less
-    simulated angles, rad; motion: of the simulated gyro; following: how the next replay is to go,
-    so that angles and frequency agree.
+    Attributes:
+        residuals: (n, 2) recorded less simulated forces, 1/s.
+        angle_error: rms of recorded less simulated angles, rad.
+        motion: of the simulated gyro.
+        following: how the next replay is to go, so that angles and frequency agree.
     """
 
     residuals: Array
@@ -79,8 +86,10 @@ class Replay:
 class Course:
     """What a simulated gyro goes through.
 
-    start: pattern angle at the beginning, rad; rate: (n,) of the case, rad/s; temperature: (n,)
-    above the reference, K.
+    Attributes:
+        start: pattern angle at the beginning, rad.
+        rate: (n,) of the case, rad/s.
+        temperature: (n,) above the reference, K.
     """
 
     start: float

@@ -39,8 +39,9 @@ class Component:
 class System:
     """An opened archive.
 
-    connectors: of each element by name, of nested systems too; of the system itself: None.
-    fmus: by the source that components name; missing ones aren't there.
+    Attributes:
+        connectors: of each element by name, of nested systems too; of the system itself: None.
+        fmus: by the source that components name; missing ones aren't there.
     """
 
     path: Path

@@ -186,8 +186,10 @@ def judge_conditions(data: StudyData) -> list[JudgedClaim]:
 class ConditionResult:
     """What the claims come to in a condition of claim (d).
 
-    name: of the condition; n: number of triads; figures: claim, requirement and figure of each
-    score, by its verdict.
+    Attributes:
+        name: of the condition.
+        n: number of triads.
+        figures: claim, requirement and figure of each score, by its verdict.
     """
 
     name: str

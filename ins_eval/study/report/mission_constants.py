@@ -54,9 +54,11 @@ BEYOND = "; beyond the study's triads, which have {smallest} to {largest} deg/h"
 class MissionConstant:
     """The horizontal error at the end of a mission over that of the usual rule, for one test.
 
-    median, low, high: of the predicted distribution; hours: duration of the mission; spearman: rank
-    correlation of the test's figure with the errors of the study's gyros; smallest, largest: the
-    figures of the study's judged triads, deg/h.
+    Attributes:
+        median, low, high: of the predicted distribution.
+        hours: duration of the mission.
+        spearman: rank correlation of the test's figure with the errors of the study's gyros.
+        smallest, largest: the figures of the study's judged triads, deg/h.
     """
 
     test: BenchTest

@@ -22,8 +22,9 @@ from pyhrg.common.made_by import find_difference, list_versions
 class Identity:
     """What determines a study's results.
 
-    study: all its fields, as JSON values; made_by: versions of libraries, and the digest of our own
-    code.
+    Attributes:
+        study: all its fields, as JSON values.
+        made_by: versions of libraries, and the digest of our own code.
     """
 
     study: dict[str, Any]

@@ -42,8 +42,9 @@ class Experiment:
 class Cluster:
     """Who computes the blocks.
 
-    scheduler: address of a Dask scheduler; None for processes of this machine; workers: number of
-    these, None for all cores.
+    Attributes:
+        scheduler: address of a Dask scheduler; None for processes of this machine.
+        workers: number of these, None for all cores.
     """
 
     scheduler: str | None = None

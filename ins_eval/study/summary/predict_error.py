@@ -28,10 +28,13 @@ from pyhrg.common.pages.svg import format_number
 class PredictedError:
     """Horizontal error at the end of a mission, from one bench figure; m.
 
-    test: name of the test; stability: rms of the three gyros, deg/h; rule: by 0.01 deg/h = 1 nmi/h;
-    median, low, high: by the constant of the class, with its interval at `interval_percent`;
-    spearman: rank correlation of this test's figure with the errors of the study's gyros; smallest,
-    largest: stabilities of the study's triads, deg/h.
+    Attributes:
+        test: name of the test.
+        stability: rms of the three gyros, deg/h.
+        rule: by 0.01 deg/h = 1 nmi/h.
+        median, low, high: by the constant of the class, with its interval at `interval_percent`.
+        spearman: rank correlation of this test's figure with the errors of the study's gyros.
+        smallest, largest: stabilities of the study's triads, deg/h.
     """
 
     test: str

@@ -53,7 +53,9 @@ SHOWN_PREDICTORS = (
 class Outcome:
     """Judged triads of one calibration in one mission.
 
-    flights: their rows of study.parquet; scores: the scores of its class.
+    Attributes:
+        flights: their rows of study.parquet.
+        scores: the scores of its class.
     """
 
     calibration: str

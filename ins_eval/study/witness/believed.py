@@ -23,8 +23,10 @@ from pyhrg.witness.responses import Responses, measure_responses
 class BelievedGyro:
     """What is known of a gyro before its flight.
 
-    device: as the bench leaves it; responses: of that device; prior: of the changes from it to the
-    gyro in flight.
+    Attributes:
+        device: as the bench leaves it.
+        responses: of that device.
+        prior: of the changes from it to the gyro in flight.
     """
 
     device: Device

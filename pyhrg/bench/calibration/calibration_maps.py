@@ -35,9 +35,10 @@ from pyhrg.records.campaign import Campaign
 class Calibration:
     """What the tests of a campaign give.
 
-    bias_map, scale_factor_map: a finding each, by the fields of `AngleMap`; a term that the records
-        can't identify is missing.
-    positions, rates: the fits that they are from.
+    Attributes:
+        bias_map, scale_factor_map: a finding each, by the fields of `AngleMap`; a term that the
+            records can't identify is missing.
+        positions, rates: the fits that they are from.
     """
 
     bias_map: Mapping[str, Finding]

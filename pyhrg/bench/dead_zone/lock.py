@@ -33,13 +33,14 @@ STILL = 1 * DEG
 class Run:
     """One power-on at a constant rate.
 
-    name: name of the test.
-    rate: inertial rate on the input axis, rad/s.
-    rotation: virtual rotation as an input rate, rad/s.
-    pattern_rate: mean over whole periods as an input rate, -(d th/dt)/k, rad/s; 0 while locked.
-    locked: whether the pattern is locked in the last quarter of the log.
-    angle: mean pattern angle of the last quarter, rad.
-    output: mean output rate of the last half, rad/s.
+    Attributes:
+        name: name of the test.
+        rate: inertial rate on the input axis, rad/s.
+        rotation: virtual rotation as an input rate, rad/s.
+        pattern_rate: mean over whole periods as an input rate, -(d th/dt)/k, rad/s; 0 while locked.
+        locked: whether the pattern is locked in the last quarter of the log.
+        angle: mean pattern angle of the last quarter, rad.
+        output: mean output rate of the last half, rad/s.
     """
 
     name: str

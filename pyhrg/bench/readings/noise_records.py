@@ -24,12 +24,13 @@ CREEPING = (4,)
 class NoiseRecord:
     """A stretch with constant commands and the table at rest.
 
-    source: the log.
-    interval: of its rows, s.
-    rotation: commanded virtual rotation as an input rate, rad/s.
-    swept: change of the pattern angle, rad.
-    spectrum: of the output angle, from which rate, ramp and harmonics of the pattern angle are
-        estimated as well.
+    Attributes:
+        source: the log.
+        interval: of its rows, s.
+        rotation: commanded virtual rotation as an input rate, rad/s.
+        swept: change of the pattern angle, rad.
+        spectrum: of the output angle, from which rate, ramp and harmonics of the pattern angle are
+            estimated as well.
     """
 
     source: str
@@ -116,7 +117,8 @@ def select_comparable(records: Sequence[NoiseRecord]) -> tuple[list[NoiseRecord]
 class Noise:
     """What one state of the gyro has shown.
 
-    records: that share the coefficients, at one interval.
+    Attributes:
+        records: that share the coefficients, at one interval.
     """
 
     records: tuple[NoiseRecord, ...]

@@ -36,11 +36,12 @@ COLUMNS = ("name", "value", "unit", "low_95", "high_95", "n", "target", "verdict
 class TestResult:
     """Result of one test.
 
-    outcome: what the procedure gave, in SI.
-    records: the campaign that was evaluated; None where the result was read from a file.
-    identity: device, digest of its parameters, seed and versions, by keys of result.json.
-    limits: the specification's, by the findings' keys.
-    export: the device as the test makes it (a calibrated one); None where the test makes none.
+    Attributes:
+        outcome: what the procedure gave, in SI.
+        records: the campaign that was evaluated; None where the result was read from a file.
+        identity: device, digest of its parameters, seed and versions, by keys of result.json.
+        limits: the specification's, by the findings' keys.
+        export: the device as the test makes it (a calibrated one); None where the test makes none.
     """
 
     __test__: ClassVar[bool] = False  # not one of pytest's
@@ -170,9 +171,10 @@ class TestFailure:
 class BenchResults:
     """Results of the tests of one gyro.
 
-    subject: the gyro, and where its records are from.
-    attempts: results and failures, in the order of the tests.
-    limits: the specification's, by the findings' keys.
+    Attributes:
+        subject: the gyro, and where its records are from.
+        attempts: results and failures, in the order of the tests.
+        limits: the specification's, by the findings' keys.
     """
 
     subject: str

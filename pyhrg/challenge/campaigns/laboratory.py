@@ -37,8 +37,9 @@ TEMPERATURE_STEP = 0.01
 class Laboratory:
     """One laboratory; an ideal one by default.
 
-    level: largest error of each value, in its tolerance; it scales the recorder's faults too.
-    errors: true less nominal value of a field of a device, by field, SI.
+    Attributes:
+        level: largest error of each value, in its tolerance; it scales the recorder's faults too.
+        errors: true less nominal value of a field of a device, by field, SI.
     """
 
     level: float = 0.0

@@ -24,7 +24,9 @@ TIME = "time_s"
 class Quantity:
     """Three columns of one quantity: SI value = factor * value.
 
-    integral: whether a value is the integral over the interval (an increment) or the mean over it.
+    Attributes:
+        integral: whether a value is the integral over the interval (an increment) or the mean over
+            it.
     """
 
     name: str
@@ -84,8 +86,11 @@ def choose_quantity(source: str, header: Sequence[str], among: Sequence[Quantity
 class Increments:
     """Sums over equal intervals, body axes (forward, right, down).
 
-    interval: s; rotation: (n, 3) integral of `omega_ib_b`, rad; velocity: (n, 3) integral of
-    the specific force `f_b`, m/s; start: time at the beginning of the first interval, s.
+    Attributes:
+        interval: s.
+        rotation: (n, 3) integral of `omega_ib_b`, rad.
+        velocity: (n, 3) integral of the specific force `f_b`, m/s.
+        start: time at the beginning of the first interval, s.
     """
 
     interval: float
@@ -124,10 +129,13 @@ MIN_ROWS = 10
 class RecordedImu:
     """A log of an IMU.
 
-    increments: body axes forward, right, down; position: (3,) latitude, longitude, rad, and
-    height, m; None if the log states none; attitude: (3,) coarse roll, pitch and yaw at the
-    start, rad; None if the log states none; source: the file; pattern_angle: (n, 3) of whole-angle
-    gyros at the end of each interval, rad; None if the log has none.
+    Attributes:
+        increments: body axes forward, right, down.
+        position: (3,) latitude, longitude, rad, and height, m; None if the log states none.
+        attitude: (3,) coarse roll, pitch and yaw at the start, rad; None if the log states none.
+        source: the file.
+        pattern_angle: (n, 3) of whole-angle gyros at the end of each interval, rad; None if the log
+            has none.
     """
 
     increments: Increments

@@ -44,9 +44,13 @@ deg of latitude; a vehicle that turns steadily without bank has none."""
 class Readings:
     """Readings of gyros and accelerometers, as means over intervals in the file's units.
 
-    source: the file; interval: s; gyros, accelerometers: quantities that the file states;
-    rate, force: (n, 3) in the file's unit, an increment's over s; body axes forward, right, down;
-    z: where the file's own z axis points.
+    Attributes:
+        source: the file.
+        interval: s.
+        gyros, accelerometers: quantities that the file states.
+        rate, force: (n, 3) in the file's unit, an increment's over s; body axes forward, right,
+            down.
+        z: where the file's own z axis points.
     """
 
     source: str

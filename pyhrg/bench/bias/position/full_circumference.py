@@ -48,10 +48,11 @@ class RestRateMap:
     """Output rate at rest less Earth's rate, by pattern angle. It holds the bias map and Earth's
     vertical rate times the map of the scale factor; `calibration_maps.fit_maps` separates them.
 
-    harmonics: orders that are fitted.
-    tilt: whether the tilt of the input axis is fitted.
-    fits: one for each run.
-    refused: a sentence on each term that the positions can't separate.
+    Attributes:
+        harmonics: orders that are fitted.
+        tilt: whether the tilt of the input axis is fitted.
+        fits: one for each run.
+        refused: a sentence on each term that the positions can't separate.
     """
 
     harmonics: tuple[int, ...]

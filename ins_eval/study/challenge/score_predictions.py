@@ -112,7 +112,7 @@ class ChallengeScores:
     """Scores of predictors.
 
     Attributes:
-        table: a row for each class of missions and predictor: n, seed, and `SCORES` with their
+        table: a row for each class of missions and predictor, with n, seed, and `SCORES` with their
             intervals.
     """
 

@@ -84,10 +84,11 @@ def choose_quantity(source: str, header: Sequence[str], among: Sequence[Quantity
 
 @dataclass(frozen=True)
 class Increments:
-    """Sums over equal intervals, body axes (forward, right, down).
+    """Integrals of rotation rate and specific force over equal intervals, in body axes (forward,
+    right, down).
 
     Attributes:
-        interval: s.
+        interval: length of an interval, s.
         rotation: (n, 3) integral of `omega_ib_b`, rad.
         velocity: (n, 3) integral of the specific force `f_b`, m/s.
         start: time at the beginning of the first interval, s.
@@ -127,15 +128,15 @@ MIN_ROWS = 10
 
 @dataclass(frozen=True)
 class RecordedImu:
-    """A log of an IMU.
+    """A recorded log of an IMU.
 
     Attributes:
-        increments: body axes forward, right, down.
-        position: (3,) latitude, longitude, rad, and height, m; None if the log states none.
+        increments: increments in body axes (forward, right, down).
+        position: (3,) latitude, longitude (rad), height (m); None if the log states none.
         attitude: (3,) coarse roll, pitch and yaw at the start, rad; None if the log states none.
         source: the file.
-        pattern_angle: (n, 3) of whole-angle gyros at the end of each interval, rad; None if the log
-            has none.
+        pattern_angle: (n, 3) pattern angles of whole-angle gyros at the end of each interval, rad;
+            None if the log has none.
     """
 
     increments: Increments

@@ -43,7 +43,7 @@ class Experiment(Run):
 
     Attributes:
         inputs: values of inputs, set before initialization and held.
-        references: of these.
+        references: value references of these inputs.
     """
 
     identifier: str

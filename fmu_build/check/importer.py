@@ -37,8 +37,8 @@ class Importer(Generic[Planned]):
     """An importer: what it is called, which standards it knows, and how to install it.
 
     Attributes:
-        modules: are loaded before the FMU is: an error of theirs is no fault of the FMU; none for a
-            program that is no Python package.
+        modules: Python modules that are loaded before the FMU, because an error of theirs is no
+            fault of the FMU; none for a program that is no Python package.
         run: a function of a module.
     """
 

@@ -34,7 +34,7 @@ class MeasuredNoise:
     """Noise estimated by maximum a posteriori.
 
     Attributes:
-        errors: the stated ones with the estimated angle and velocity random walk.
+        errors: stated sensor errors with the estimated angle and velocity random walk.
         sway: estimated sway of the vehicle, m.
         relative_sigma: (3,) relative one-sigma of the three estimates, from the curvature of the
             posterior.

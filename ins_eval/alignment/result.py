@@ -36,11 +36,11 @@ class Alignment:
     """Attitude at one time, with its covariance.
 
     Attributes:
-        time: of the attitude, s.
+        time: time of the attitude, s.
         mat_nb: (3, 3) attitude.
         covariance: (3, 3) of the attitude error, the rotation vector about north, east, down of
             `TrackError`, rad^2.
-        history: over the record.
+        history: estimates over the record.
         sway: standard deviation of the vehicle's level displacement, m.
     """
 

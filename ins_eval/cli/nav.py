@@ -1,4 +1,4 @@
-"""`hrg nav`: an IMU's way along a trajectory, and how far it goes astray."""
+"""`hrg nav`: an IMU's path along a trajectory, with its position error and the causes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`hrg parking`: what it is worth to start level gyros' patterns where their maps say."""
+"""`hrg parking`: the gain of starting level gyros' patterns where their bias is known."""
 
 import argparse
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""`hrg position`: position error that the gap of a diagnosis is worth."""
+"""`hrg position`: the gap of a diagnosis as a position error."""
 
 import argparse
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""`hrg witness`: the bias map of a gyro now, from a log of its own channels."""
+"""`hrg witness`: the present bias map of a gyro, from a log of its own channels."""
 
 import argparse
 import json

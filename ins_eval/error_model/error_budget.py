@@ -30,9 +30,9 @@ class Weights:
 
     Attributes:
         model: the linear model.
-        states: (n + 1, 2, 10) per error of each state at the bounds of the steps.
-        sensors: (n, 2, 6) per error of a gyro's increment, rad, and of an accelerometer's, m/s, in
-            one step.
+        states: (n + 1, 2, 10) weight of an error of each state at the bounds of the steps.
+        sensors: (n, 2, 6) weight of an error in one step, of each gyro's increment, rad, and of
+            each accelerometer's, m/s.
     """
 
     model: LinearModel

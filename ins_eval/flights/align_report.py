@@ -1,4 +1,4 @@
-"""A record with the attitude found on it: in words, as a figure and as files."""
+"""A standing vehicle's record with its attitude, as text, as a figure and as files."""
 
 import json
 from dataclasses import dataclass

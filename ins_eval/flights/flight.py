@@ -1,4 +1,4 @@
-"""Flights of an IMU along a trajectory, held to the truth: measure, align, navigate."""
+"""Flights of an IMU along a trajectory: measure, align, navigate, compare with the truth."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -24,12 +24,12 @@ class Truth:
     """A trajectory, sampled for a plan.
 
     Attributes:
-        trajectory: what is sampled.
-        increments: ideal, from power-on.
+        trajectory: the trajectory that is sampled.
+        increments: ideal increments from power-on.
         warm, zero: numbers of increments before alignment and before time 0.
-        start: at time 0.
-        track: at the kept times.
-        heights: at the bounds of the flight's intervals, m.
+        start: true state at time 0.
+        track: true states at the kept times.
+        heights: true heights at the bounds of the flight's intervals, m.
     """
 
     trajectory: Trajectory
@@ -84,8 +84,8 @@ class Run:
     """One flight.
 
     Attributes:
-        seed: of its IMU.
-        alignment: None when it started from the truth.
+        seed: seed of the run's IMU.
+        alignment: the run's alignment; None if it started from the truth.
     """
 
     seed: int
@@ -101,7 +101,7 @@ class Runs:
     Attributes:
         own: the navigator's track on ideal increments from the true start.
         first: the first run.
-        alignments, tracks: of all runs.
+        alignments, tracks: alignment and navigated states of each run.
     """
 
     own: Track

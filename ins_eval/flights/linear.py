@@ -1,4 +1,4 @@
-"""The linear error model beside a flight: its 1-sigma, and whose the final error is."""
+"""The linear error model beside a flight: its 1-sigma, and the causes of the final error."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -44,8 +44,8 @@ class Budget:
     """Error budget of run 1.
 
     Attributes:
-        shares: contributions to the final error, as `error_model.error_budget` gives them.
-        weights: the adjoint weights that they rest on.
+        shares: contributions to the final error (`error_model.error_budget`).
+        weights: adjoint weights that give the contributions.
     """
 
     shares: xr.Dataset
@@ -79,7 +79,7 @@ class Steps:
     """Grid of the linear model.
 
     Attributes:
-        step: s.
+        step: length of a step, s.
         alignment, flight, row: number of steps in the alignment, in the flight and between rows.
     """
 

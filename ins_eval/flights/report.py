@@ -1,4 +1,4 @@
-"""Flights of a plan, in words and as files."""
+"""Flights of a plan, as text and as files."""
 
 import json
 import math

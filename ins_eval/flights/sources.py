@@ -1,4 +1,4 @@
-"""What a user names: IMUs at a rate, recorded logs with their place, and a log's truth."""
+"""Reads what a user names: IMUs at a rate, recorded logs with their place, and a log's truth."""
 
 import gzip
 from dataclasses import replace

@@ -20,9 +20,9 @@ class ImuReading:
     """Output of an IMU.
 
     Attributes:
-        increments: in body axes.
-        pattern_angle: (n, 3) of the gyros at the end of each interval, rad, None for gyros without
-            a pattern.
+        increments: increments in body axes.
+        pattern_angle: (n, 3) pattern angle of each gyro at the end of each interval, rad; None for
+            gyros without a pattern.
         ready: (n,) whether all gyros are ready at that time, None for gyros without start-up.
     """
 
@@ -37,11 +37,11 @@ class Imu:
 
     Attributes:
         gyros, accelerometers: the sensors.
-        interval: of the increments, s.
-        mounting: of the gyros' input axes, as the navigator assumes it.
+        interval: length of an increment, s.
+        mounting: input axes of the gyros, true and as the navigator assumes them.
         mounting_deviation: standard deviation of each input axis' error, in each of two directions,
             rad.
-        name: for reports.
+        name: name in reports.
     """
 
     gyros: FmuGyros | StatedGyros = IDEAL_GYROS
@@ -58,7 +58,7 @@ class Imu:
 
         Args:
             truth: true increments, at the unit's interval.
-            seed: of all random draws; the same seed gives the same bytes.
+            seed: seed of all random draws; the same seed gives the same bytes.
 
         Raises:
             HrgError: increments at another interval; see also `FmuGyros.measure`.

@@ -48,7 +48,7 @@ class SensorErrorModel:
     With u the unit of the sensed quantity (m/s^2 or rad/s):
 
     Attributes:
-        bias: u.
+        bias: constant bias, u.
         scale_factor: relative error.
         misalignment: six sensitivities, rad: of x to y and z, of y to x and z, of z to x and y
             (Groves 2013, Eq. 4.16).

@@ -27,7 +27,7 @@ class ErrorKey:
     """A number of the file: SI is value * factor; `high` is the largest size in the file's unit.
 
     Attributes:
-        name: with `{}` where `_sigma` goes.
+        name: key in the file; `{}` stands where `_sigma` may go.
     """
 
     name: str

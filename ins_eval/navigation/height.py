@@ -59,7 +59,7 @@ class BaroDamped:
 
     Attributes:
         heights: (n + 1,) barometric heights at the bounds of the n intervals, m.
-        time_constant: of the loop's triple pole, s; the default is chosen.
+        time_constant: time constant of the loop's triple pole, s; the default is chosen.
     """
 
     heights: Array

@@ -1,4 +1,5 @@
-"""The front door of parking: what it is worth to start level gyros' patterns at chosen angles."""
+"""The front door of parking: the position error of level gyros whose patterns start at chosen
+angles."""
 
 from collections.abc import Callable
 from pathlib import Path

@@ -16,7 +16,7 @@ class HeldOutResidual:
     """Residual rate over 100 s on held-out tests, after closing, rad/s.
 
     Attributes:
-        rms: its rms.
+        rms: rms of the residual rate.
         floor_low, floor_high: 95 % interval of the rms that noise alone would leave.
     """
 
@@ -36,7 +36,7 @@ class DiagnosedGyro:
     """A gyro before and after the diagnosis.
 
     Attributes:
-        device: its name.
+        device: name of the gyro.
         verdict: the diagnosis's verdict.
         equivalents: effects that are confounded with the causes in the campaign's tests.
         nominal, identified: the device without and with the causes.

@@ -1,4 +1,4 @@
-"""How far the nominal device's position is from the identified device's, in missions."""
+"""Distance between the positions of the nominal and of the identified device, in missions."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -44,7 +44,7 @@ class PositionRequest:
         missions: names of ready missions, or files.
         hours: duration of the navigation.
         triads: number of triads.
-        seed: of their power-on angles and of the bootstrap intervals.
+        seed: seed of the power-on angles and of the bootstrap intervals.
     """
 
     missions: Sequence[str | Path]
@@ -61,7 +61,7 @@ class MissionGap:
     Attributes:
         time: (k,) s since alignment.
         distance: (k,) its rms over triads.
-        at_end: the same at the mission's end, with its interval.
+        at_end: that rms at the mission's end, with its interval.
         nominal_budget, identified_budget: rms error of each device at the end, by named part.
         residual_bound: position error that the residual of held-out tests could cause; None without
             such tests.

@@ -120,8 +120,8 @@ class ResidualBound:
     same rms.
 
     Attributes:
-        steady: with rate errors that are constant, over all combinations of signs.
-        any_course: with rate errors that vary in time in any way.
+        steady: bound for constant rate errors, over all combinations of signs.
+        any_course: bound for rate errors that vary in time in any way.
     """
 
     steady: float

@@ -1,4 +1,4 @@
-"""Conditions in which the thesis is not expected to hold; they are scored apart from the classes.
+"""Conditions in which the claims are not expected to hold; they are scored apart from the classes.
 
 The gyros are the study's own, calibrated at the mean. The predictors are those of the study, made
 on its training triads; they do not know the condition.
@@ -70,7 +70,7 @@ class ConditionSample:
 
     Attributes:
         drawn: the triads by number.
-        triads: the same as arrays.
+        triads: the drawn triads as arrays.
         distribution: what they are drawn from.
         fmu: `HRGSlow`.
     """
@@ -87,11 +87,11 @@ class Condition:
     """A condition.
 
     Attributes:
-        title: its mission class in the results.
-        what: a sentence that says what differs.
+        title: mission class of the condition in the results.
+        what: sentence that says what differs.
         mission: name of a ready mission.
-        hours: its duration, None for the study's.
-        triads: makes the triads that fly from those of the study.
+        hours: duration of the mission, h; None for the study's.
+        triads: function that makes the condition's triads from those of the study.
     """
 
     title: str

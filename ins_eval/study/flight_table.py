@@ -49,8 +49,8 @@ class Training:
     """What the training triads of a calibration teach.
 
     Attributes:
-        model: of the drift of maps.
-        ratios: of each mission class.
+        model: model of the drift of maps.
+        ratios: ratios of error and rule, for each mission class.
     """
 
     model: TrainedModel

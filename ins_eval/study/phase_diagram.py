@@ -1,5 +1,5 @@
-"""The phase diagram: map over noise against turning, and where each bench test tells the truth:
-shares of flights whose error it predicts within a factor (study_predictors.md, Eq. 16).
+"""The phase diagram: share of flights whose error each bench test predicts within a factor, over
+the ratio of map and noise and over the rate of turning (study_predictors.md, Eq. 16).
 
 The training triads fly from many start angles by the linear model, on a turntable that turns
 steadily in heading for an hour. Their maps are scaled to each ratio of map and noise. Only the map

@@ -39,7 +39,7 @@ class StudyData:
 
     Attributes:
         table: rows of study.parquet.
-        scores: their scores.
+        scores: scores of the flights.
         about: facts of study.json, such as seed and triads.
         conditions: flights and scores of the conditions, which are in neither of the others.
     """

@@ -23,7 +23,7 @@ class Unit:
     Attributes:
         gyros: parameters of the three gyros.
         calibrated_bias: (3,) that the navigator subtracts, rad/s.
-        accelerometers: their parameters.
+        accelerometers: parameters of the accelerometers.
     """
 
     gyros: tuple[Values, Values, Values]

@@ -42,10 +42,10 @@ class PowerOn:
     """A power-on to be simulated.
 
     Attributes:
-        id: of the test in the campaign. The power-on's seed follows from it and the bench's, so
-            that a procedure gives the same numbers alone and among others.
-        kind: of the test in the campaign.
-        programme: what the bench does to the gyro.
+        id: name of the test in the campaign. The power-on's seed follows from it and the bench's
+            seed, so that a procedure gives the same numbers alone and among others.
+        kind: kind of the test in the campaign.
+        programme: what the bench does to the gyro, row by row.
         start_angle: pattern angle at power-on, rad; drawn from the device's scatter if None.
     """
 
@@ -60,7 +60,7 @@ class Bench:
     """A simulated gyro on a turntable.
 
     Attributes:
-        seed: of all noise and of turn-on to turn-on scatter.
+        seed: seed of all noise and of turn-on to turn-on scatter.
         step: communication step, s; rows of a programme are multiples of it.
         workers: power-ons that are simulated at the same time.
         store: keeps logs to resume from; None keeps none.

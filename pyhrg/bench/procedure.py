@@ -14,8 +14,8 @@ class Option:
     """A part of a procedure's plan that a user may change: a keyword argument of its `record`.
 
     Attributes:
-        kind: of its value.
-        help: one line for the help of the command.
+        kind: type of the option's value.
+        help: line for the help of the command.
     """
 
     name: str
@@ -28,10 +28,10 @@ class Procedure:
     """One test of the bench.
 
     Attributes:
-        name: by which users choose it.
+        name: name by which users choose the test.
         group: heading in the list of tests.
-        title: what it measures.
-        source: where method and formulas come from.
+        title: what the test measures.
+        source: reference for method and formulas.
         kinds: kinds of campaign tests that it evaluates.
         record: makes the test's power-ons on the virtual bench; takes the options as keywords.
         evaluate: gives the outcome of a campaign that holds tests of these kinds; its exclusions

@@ -41,8 +41,8 @@ class Case:
         strengths: range that strengths of effects are drawn from, sigmas.
         without: effects that are removed from the diagnosis' catalogue; the true effect is one of
             them.
-        level: of `LEVELS`: how far nominal values and bench are off.
-        data: of `AMOUNTS`: how many tests there are, how long, and in which rows.
+        level: key of `LEVELS`: how far nominal values and bench are off.
+        data: key of `AMOUNTS`: how many tests there are, how long, and in which rows.
     """
 
     name: str

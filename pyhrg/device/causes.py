@@ -20,9 +20,9 @@ class Cause:
     """One error of a gyro.
 
     Attributes:
-        name: in the field's terms.
-        keys: of a device file, those that state it.
-        fields: of `Device` that are ideal without it.
+        name: the field's term for the error.
+        keys: keys of a device file that state the error.
+        fields: fields of `Device` that are ideal without the error.
         model: parameters of the FMU that `Device.model` has not without it.
     """
 

@@ -18,14 +18,14 @@ class EffectDeclaration:
     noise that it may find above its believed level.
 
     Attributes:
-        name: in the record format.
+        name: name in the record format.
         scale: typical size in a trimmed gyro of this class, SI.
-        coordinates: in which the greatest share of the gap may lie, as the record format calls
-            them.
+        coordinates: coordinates in which the greatest share of the gap may lie, by their names in
+            the record format.
         position: place in the catalogue, which decides the order of sums; effects without one come
             last, in the order of the fields.
         angle: field of the angle that goes with a magnitude; empty if the parameter stands alone.
-        periods: of the effect while that angle makes a full turn.
+        periods: number of periods of the effect while that angle makes a full turn.
     """
 
     name: str
@@ -45,7 +45,7 @@ class ToleranceDeclaration:
     """The parameter is known from elsewhere within a tolerance: a nominal value, or the bench's.
 
     Attributes:
-        name: of the cause if it is off by more, in the record format.
+        name: name of the cause in the record format if the value is off by more.
         family: see `Family`.
         scale: typical size of a change of it, SI; a sensitivity is taken over a share of it
             (docs/methods/effects.md, Eq. 1).

@@ -24,7 +24,7 @@ class Motion:
     """What a gyro goes through, row by row.
 
     Attributes:
-        interval: of a row, s.
+        interval: length of a row, s.
         angle: (n,) pattern angle in the middle of each row, rad.
         rate: (n,) of the case, rad/s.
         virtual_rotation: (n,) as an input rate, rad/s.

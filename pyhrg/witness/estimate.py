@@ -37,7 +37,7 @@ class MapEstimate:
         calibrated: (2 TERMS,) the device's maps at its reference temperature, in the same order.
         maps_covariance: (2 TERMS, 2 TERMS) covariance of the present maps, given the log.
         maps_prior: (2 TERMS, 2 TERMS) covariance of the present maps without the log.
-        temperature: of the resonator above its reference at the log's end, K.
+        temperature: temperature of the resonator above its reference at the log's end, K.
         angle: pattern angle at the log's end, rad.
         burst_share: share of the log's rows that were down-weighted as bursts.
         p_value: probability of innovations as far from white as these, if the model holds.

@@ -45,9 +45,9 @@ class Flown:
 
     Attributes:
         device: the gyro as it is believed.
-        witnesses: of its flight.
-        prior: of its changes.
-        responses: of the device, whose noise is that of the forces.
+        witnesses: witness channels of the gyro's flight.
+        prior: prior of the gyro's changes.
+        responses: responses of the device; its noise is that of the forces.
     """
 
     device: Device
@@ -62,12 +62,12 @@ class FittedChanges:
 
     Attributes:
         changes: (COUNT,) since the calibration, SI.
-        covariance: of these.
+        covariance: (COUNT, COUNT) covariance of the changes.
         responses: sensitivities of the changed gyro.
-        temperature, angle: of the resonator above the reference, K, and of the pattern, rad, at the
-            end.
+        temperature, angle: temperature of the resonator above its reference, K, and pattern angle,
+            rad, at the log's end.
         burst_share: share of the rows that were limited.
-        p_value: as of `Filtered`.
+        p_value: probability of innovations as far from white as these, if the model holds.
         moved: normalised square of what the last stage changed.
     """
 

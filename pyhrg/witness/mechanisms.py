@@ -27,10 +27,10 @@ class Mechanism:
     """A number of a device that may have changed.
 
     Attributes:
-        name: in reports.
+        name: name in reports.
         step: size of the change by which sensitivities are taken, SI: far above the rounding of the
             simulation, and so small that the response is linear to 1e-3.
-        read: its value.
+        read: function that reads the mechanism's value from a device.
         add: the device with a change of it.
         signal: what it acts in proportion to.
     """

@@ -37,7 +37,7 @@ class Witnesses:
     """What a log holds of a gyro's own channels, with no row missing.
 
     Attributes:
-        interval: of a row, s.
+        interval: length of a row, s.
         angle: (n + 1,) detected pattern angle at the beginning of the first row and at the end of
             each, rad.
         forces: (n, 2) amplitude and quadrature force, 1/s.
@@ -72,7 +72,7 @@ class Replay:
     Attributes:
         residuals: (n, 2) recorded less simulated forces, 1/s.
         angle_error: rms of recorded less simulated angles, rad.
-        motion: of the simulated gyro.
+        motion: motion of the simulated gyro.
         following: how the next replay is to go, so that angles and frequency agree.
     """
 

@@ -40,8 +40,9 @@ class System:
     """An opened archive.
 
     Attributes:
-        connectors: of each element by name, of nested systems too; of the system itself: None.
-        fmus: by the source that components name; missing ones aren't there.
+        connectors: connectors of each element, by the element's name, nested systems included;
+            under None those of the system itself.
+        fmus: FMUs by the source that components name; missing ones are left out.
     """
 
     path: Path

@@ -33,9 +33,9 @@ class Reckoning:
         displacement: (m, 2) navigated, north and east, m.
         turned: (m, 2) rotation about north and east since the start, rad.
         transition: (m, 30, 30) of the states of `aligning_model`.
-        position: (3,) of the vehicle.
-        interval: of the increments, s.
-        step: s.
+        position: (3,) place of the vehicle: latitude, longitude (rad), height (m).
+        interval: length of an increment, s.
+        step: length of a navigation step, s.
     """
 
     track: Track

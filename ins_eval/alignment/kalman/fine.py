@@ -90,10 +90,10 @@ class FilterResult:
     """Estimates of the filter.
 
     Attributes:
-        state: (m, 30).
-        covariance: (m, 30, 30).
-        innovation: (m, 2), whitened.
-        log_likelihood: of the innovations after the filter has settled.
+        state: (m, 30) estimated states of `aligning_model`.
+        covariance: (m, 30, 30) covariance of the states.
+        innovation: (m, 2) whitened innovations of the displacement.
+        log_likelihood: log-likelihood of the innovations after the filter has settled.
     """
 
     state: Array

@@ -60,7 +60,7 @@ class DrawnGyro:
     """A gyro of a triad.
 
     Attributes:
-        device: as the maker has calibrated it.
+        device: the gyro as its maker has calibrated it.
         bench_seed: seed of the bench's noise.
         flight: the gyro as it flies.
     """

@@ -1,4 +1,4 @@
-"""What changes a gyro from calibration to flight: age, another power-on, warming after it."""
+"""Changes of a gyro from calibration to flight: age, another power-on, warming after it."""
 
 import math
 from dataclasses import dataclass, replace
@@ -45,8 +45,8 @@ class Flight:
     """One gyro in one flight.
 
     Attributes:
-        device: as it is in this power-on, at the calibration's temperature.
-        rise: final rise of its temperature, K.
+        device: the gyro in this power-on, at the calibration's temperature.
+        rise: final rise of the gyro's temperature above the calibration's, K.
         power_on_angle: pattern angle at power-on, rad.
     """
 

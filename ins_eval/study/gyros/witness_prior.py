@@ -1,4 +1,4 @@
-"""What is known of a study's gyro before its channels are read in flight (witness.md, Eq. 3).
+"""Prior of a study's gyro before its channels are read in flight (witness.md, Eq. 3).
 
 The population says how far mechanisms reach, the bench's records narrow that, and the drift widens
 it again. The bench's records are those of `bench_plan`, with the gyro's own channels and, because

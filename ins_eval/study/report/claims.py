@@ -187,7 +187,7 @@ class ConditionResult:
     """What the claims come to in a condition of claim (d).
 
     Attributes:
-        name: of the condition.
+        name: name of the condition.
         n: number of triads.
         figures: claim, requirement and figure of each score, by its verdict.
     """

@@ -55,7 +55,7 @@ class MissionConstant:
     """The horizontal error at the end of a mission over that of the usual rule, for one test.
 
     Attributes:
-        median, low, high: of the predicted distribution.
+        median, low, high: median and bounds of the predicted distribution.
         hours: duration of the mission.
         spearman: rank correlation of the test's figure with the errors of the study's gyros.
         smallest, largest: the figures of the study's judged triads, deg/h.

@@ -54,7 +54,7 @@ class Outcome:
     """Judged triads of one calibration in one mission.
 
     Attributes:
-        flights: their rows of study.parquet.
+        flights: rows of study.parquet of the judged flights.
         scores: the scores of its class.
     """
 

@@ -17,10 +17,10 @@ class Column:
     """A column.
 
     Attributes:
-        name: its name in the file.
+        name: name in the file.
         kind: "int", "text", "number" or "numbers" (a list).
         unit: "1" for pure numbers, "" for text.
-        what: its meaning, a phrase.
+        what: meaning, a phrase.
     """
 
     name: str
@@ -35,7 +35,7 @@ class Predictor:
 
     Attributes:
         key: prefix of its columns.
-        title: its name in reports.
+        title: name in reports.
         what: what it uses, a phrase.
     """
 

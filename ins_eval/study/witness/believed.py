@@ -24,9 +24,9 @@ class BelievedGyro:
     """What is known of a gyro before its flight.
 
     Attributes:
-        device: as the bench leaves it.
-        responses: of that device.
-        prior: of the changes from it to the gyro in flight.
+        device: the gyro that the bench measured.
+        responses: responses of that device.
+        prior: prior of the changes from that device to the gyro in flight.
     """
 
     device: Device

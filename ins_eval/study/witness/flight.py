@@ -33,9 +33,9 @@ class ChannelFlight:
     """A flight of a triad from power-on.
 
     Attributes:
-        truth: of its mission.
+        truth: truth of the flight's mission.
         measured: increments of the IMU.
-        witnesses: of each gyro, in rows of `ROW`.
+        witnesses: witness channels of each gyro, in rows of `ROW`.
         patterns: (n + 1, 3) detected pattern angles at the bounds of the increments, rad.
         self_test: duration of the self-test at power-on, s.
     """

@@ -37,9 +37,9 @@ class WitnessedFlight:
 
     Attributes:
         flown: (2,) error of the flight.
-        by_bench: of the same record, corrected by the maps that the bench knows.
-        by_channels: by those that the channels of the whole flight tell.
-        by_self_test: by those that the channels tell until the alignment ends.
+        by_bench: error of the same record, corrected by the maps that the bench knows.
+        by_channels: error, corrected by the maps that the channels of the whole flight give.
+        by_self_test: error, corrected by the maps that the channels give until the alignment ends.
         told, known: (2,) error that the maps told by the channels make, and those known from the
             bench.
         told_covariance, known_covariance: (2, 2) of these, m^2, without noise and mounting.

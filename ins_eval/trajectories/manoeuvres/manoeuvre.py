@@ -44,11 +44,11 @@ class Leg:
 
     Attributes:
         speed: along the path, m/s.
-        climb_angle: of the path, rad.
-        turn_rate: of the path's heading, rad/s, in addition to that of a great circle.
-        roll: in addition to the bank, rad.
+        climb_angle: climb angle of the path, rad.
+        turn_rate: turn rate of the path's heading, rad/s, in addition to that of a great circle.
+        roll: roll in addition to the bank, rad.
         lean: ratio of the bank to that of a coordinated turn.
-        place: where it begins.
+        place: place where the leg begins.
     """
 
     duration: float

@@ -45,8 +45,8 @@ class Step:
     """A plateau of the table's rate.
 
     Attributes:
-        rate: of the table, rad/s.
-        error: of the output rate, relative to the table's.
+        rate: rate of the table, rad/s.
+        error: relative error of the output rate against the table's.
         valid: whether the output was valid throughout.
     """
 

@@ -43,9 +43,9 @@ class Response:
     """Response at one rate.
 
     Attributes:
-        rate: of the table, rad/s.
+        rate: rate of the table, rad/s.
         value: change of the output rate over change of the input rate.
-        reach: half width of its 95 % interval.
+        reach: half width of the value's 95 % interval.
         n: number of dwells.
     """
 

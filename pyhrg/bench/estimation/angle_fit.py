@@ -31,7 +31,7 @@ class Record:
     """One uninterrupted record of an angle.
 
     Attributes:
-        interval: between samples, s.
+        interval: time between samples, s.
         angle: (n,) rad.
         columns: (n,) each, by the term's name: what one unit of the term adds to the angle. A
             constant in a column has no effect.

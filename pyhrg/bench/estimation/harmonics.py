@@ -67,7 +67,7 @@ class Fit:
     """Result of a least-squares fit; the residual of a generalised one is whitened.
 
     Attributes:
-        names: of the m terms.
+        names: names of the m terms.
         values: (m,) SI.
         covariance: (m, m) of the values.
         residual: (n,).

@@ -36,8 +36,8 @@ class Decay:
         time: (n,) s.
         turned: (n,) of the pattern, rad.
         amplitude: (n,).
-        angle_at_start: of the pattern, rad.
-        rotation: of the case, rad/s.
+        angle_at_start: pattern angle at the start, rad.
+        rotation: rotation rate of the case, rad/s.
         left_out: duration of its later rows that `cut` took away, s.
     """
 

@@ -25,12 +25,12 @@ class NoiseRecord:
     """A stretch with constant commands and the table at rest.
 
     Attributes:
-        source: the log.
-        interval: of its rows, s.
+        source: log that holds the stretch.
+        interval: length of the log's rows, s.
         rotation: commanded virtual rotation as an input rate, rad/s.
         swept: change of the pattern angle, rad.
-        spectrum: of the output angle, from which rate, ramp and harmonics of the pattern angle are
-            estimated as well.
+        spectrum: spectrum of the output angle; rate, ramp and harmonics of the pattern angle are
+            estimated with it.
     """
 
     source: str
@@ -118,7 +118,7 @@ class Noise:
     """What one state of the gyro has shown.
 
     Attributes:
-        records: that share the coefficients, at one interval.
+        records: records that share the coefficients, at one interval.
     """
 
     records: tuple[NoiseRecord, ...]

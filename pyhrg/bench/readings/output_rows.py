@@ -33,7 +33,7 @@ class Rows:
     """n consecutive rows of a log.
 
     Attributes:
-        log: one power-on.
+        log: log of one power-on.
         first, last: the rows are [first, last); `first` is at least 1, for the row before it gives
             the readings at their beginning.
     """
@@ -127,8 +127,8 @@ class Terms:
     """A fit of the terms that the records can separate.
 
     Attributes:
-        refused: by name, a sentence on each term that they can't.
-        parts: that the fit is made of.
+        refused: a sentence on each term that the records can't separate, by the term's name.
+        parts: parts of the rows that the fit is made of.
     """
 
     fit: Fit

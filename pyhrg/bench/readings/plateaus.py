@@ -20,7 +20,7 @@ class Plateau:
     """A stretch at a constant table rate.
 
     Attributes:
-        rate: of the table, rad/s.
+        rate: rate of the table, rad/s.
         first, last: rows of the log; the stretch lasts from the end of `first` to the end of
             `last`.
     """

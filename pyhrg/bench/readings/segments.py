@@ -40,7 +40,7 @@ class Points:
         pattern_angle, table_angle: means, rad.
         acceleration: (n, 3) mean specific force, m/s2.
         time: middle of the part, since power-on, s.
-        duration: of the part, s.
+        duration: duration of the part, s.
         first, last: rows of the log between whose angle readings the rate is taken.
         dwell: number of the dwell or position in the log.
     """

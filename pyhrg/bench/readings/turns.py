@@ -37,8 +37,8 @@ class Turn:
 
     Attributes:
         source: the log.
-        interval: of its rows, s.
-        time: s.
+        interval: length of the log's rows, s.
+        time: time at the ends of the rows, s.
         input_angle: rotation of the input axis since the beginning, Earth's included.
         excess: change of the gyro angle since the beginning, less the input angle.
     """
@@ -150,10 +150,10 @@ class Spin:
     """A stretch at a constant table rate.
 
     Attributes:
-        rate: of the table, rad/s.
+        rate: rate of the table, rad/s.
         scale_factor: gyro angle over table angle, without Earth's rate.
-        harmonic: of the scale-factor error over the pattern angle th: it is the real part of
-            harmonic exp(-4i th).
+        harmonic: complex amplitude of the scale-factor error over the pattern angle th, which is
+            the real part of harmonic exp(-4i th).
         first, last: rows of the log.
     """
 

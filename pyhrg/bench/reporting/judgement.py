@@ -14,7 +14,7 @@ class Judgement:
     """A finding beside its limit.
 
     Attributes:
-        limit: of the finding's magnitude, in the unit that the finding's key names.
+        limit: limit of the finding's magnitude, in the unit that the finding's key names.
     """
 
     finding: Finding

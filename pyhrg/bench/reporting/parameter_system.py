@@ -13,7 +13,7 @@ class Row:
     """A row of Table 1.
 
     Attributes:
-        term: in English.
+        term: the term in English.
         printed: the term as the paper prints it.
         procedure, finding: the test and its finding that give the figure.
         reason: why no test gives the figure.

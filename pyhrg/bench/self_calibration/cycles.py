@@ -39,7 +39,7 @@ class Sweep(Turn):
     """A turn of the table, or a rest, at constant virtual rotation.
 
     Attributes:
-        virtual_rotation: as an input rate, rad/s; 0 without.
+        virtual_rotation: commanded rotation as an input rate, rad/s; 0 for a rest.
     """
 
     virtual_rotation: float
@@ -121,11 +121,11 @@ class Cycle:
     """One mean of the output at rest.
 
     Attributes:
-        rate: rad/s, Earth's taken out.
+        rate: mean output rate less Earth's rate, rad/s.
         length: averaging time, s.
-        pattern_angle: at the beginning, rad.
-        gain: error of the virtual rotation; NaN without.
-        period: of pattern that a sweep went through, rad; 0 without.
+        pattern_angle: pattern angle at the beginning, rad.
+        gain: gain error of the virtual rotation; NaN for a rest.
+        period: pattern angle that a sweep went through, rad; 0 for a rest.
     """
 
     rate: float

@@ -30,8 +30,8 @@ class Form:
     """A form of error that the catalogue lacks.
 
     Attributes:
-        place: where it acts, of `PLACES`.
-        coordinate: in which it shows, by the name of the record format.
+        place: place where the form acts, one of `PLACES`.
+        coordinate: coordinate in which the form shows, by its name in the record format.
         reason: why a laboratory may meet it, a sentence.
     """
 

@@ -53,9 +53,9 @@ class Truth:
             units.
         strengths: strength of each effect alone, or of the form beyond the catalogue, sigmas.
         form: name of the form outside the catalogue.
-        coordinate: in which this form shows.
-        place: where this form acts.
-        size: of this form, in typical sizes.
+        coordinate: coordinate in which the form shows.
+        place: place where the form acts.
+        size: size of the form, in typical sizes.
         stand_ins: effects that these tests can't separate from the effect that was left out.
         holdout_noise_arcsec: rms of the true noise in the output angle of the held-out tests.
         beyond: known parameters that are off by more than their tolerance.

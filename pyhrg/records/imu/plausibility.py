@@ -50,7 +50,7 @@ class Readings:
         gyros, accelerometers: quantities that the file states.
         rate, force: (n, 3) in the file's unit, an increment's over s; body axes forward, right,
             down.
-        z: where the file's own z axis points.
+        z: direction of the file's own z axis.
     """
 
     source: str

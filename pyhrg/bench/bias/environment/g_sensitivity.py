@@ -35,7 +35,7 @@ class Sensitivity:
         points: the n data points.
         basis: dependence on the pattern angle.
         columns: (n,) each, of the fitted terms.
-        refused: by name, a sentence on each term that the records don't determine.
+        refused: a sentence on each term that the records don't determine, by the term's name.
     """
 
     points: Points

@@ -32,7 +32,7 @@ class Pulse:
     """Response of the output angle to one pulse.
 
     Attributes:
-        axis: of the pulse, x, y or z after its sign.
+        axis: axis of the pulse: x, y or z, after its sign.
         kept: lasting change of the angle, rad.
         swing: largest deviation of the angle until it is read, rad.
         valid: whether the output was valid throughout.

@@ -51,7 +51,7 @@ class RestRateMap:
     Attributes:
         harmonics: orders that are fitted.
         tilt: whether the tilt of the input axis is fitted.
-        fits: one for each run.
+        fits: fit of each run.
         refused: a sentence on each term that the positions can't separate.
     """
 

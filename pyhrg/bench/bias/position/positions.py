@@ -45,8 +45,8 @@ class Plan:
     """Positions of the pattern that the table reaches one after the other.
 
     Attributes:
-        pattern_step: between neighbours, rad: by how much the pattern angle falls while the table
-            turns in its positive direction.
+        pattern_step: pattern angle between neighbouring positions, rad. The pattern angle falls by
+            it while the table turns in its positive direction.
         bryan_factor: angular gain of the gyro.
     """
 

@@ -135,13 +135,13 @@ class Thermal:
 
     Attributes:
         points: the n data points.
-        temperature: (n,) of the resonator above the reference temperature, K.
+        temperature: (n,) temperature of the resonator above the reference temperature, K.
         rate, warming: (n,) rate of the case's and of the resonator's temperature, K/s.
         soak: (n,) temperature of the data point's soak, degC; NaN on a ramp.
         run: (n,) number of the data point's power-on.
-        thermometers: one for each power-on.
+        thermometers: temperature of the resonator in each power-on.
         basis: dependence on the pattern angle.
-        refused: by name, a sentence on each term that the records can't separate.
+        refused: a sentence on each term that the records can't separate, by the term's name.
     """
 
     points: Points

@@ -1,4 +1,4 @@
-"""The short run that every importer makes, alike to the last bit, and what it records."""
+"""The short run that every importer makes, the same to the last bit, and its recording."""
 
 import math
 from collections.abc import Iterator
@@ -53,7 +53,7 @@ class Experiment(Run):
 
 @dataclass(frozen=True)
 class Recording:
-    """What an importer recorded; `remark` says what had to be done for it."""
+    """Recording of an importer; `remark` says what the importer needed for it."""
 
     trace: Trace
     remark: str = ""

@@ -1,4 +1,5 @@
-"""Sizes of a gyro's errors over its pattern angle, for users who know its kind and not its axes."""
+"""Typical sizes of a gyro's errors over its pattern angle, for users who know the kind of gyro but
+not its axes."""
 
 import math
 from collections.abc import Iterable
@@ -17,7 +18,7 @@ CUBIC_SHARE = 0.75
 
 @dataclass(frozen=True)
 class MapSizes:
-    """Standard deviations of a gyro's constants, from unit to unit; cosine and sine are alike.
+    """Standard deviations of a gyro's constants from unit to unit, the same for cosine and sine.
 
     Attributes:
         mean: mean of the bias, rad/s.

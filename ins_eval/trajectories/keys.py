@@ -1,4 +1,4 @@
-"""Fields of missions and manoeuvres: SI inside, a unit in the key outside, a range."""
+"""Fields of missions and manoeuvres: SI inside; in files a unit in the key, and a range."""
 
 import sys
 from collections.abc import Callable, Iterator

@@ -1,4 +1,4 @@
-"""Errors that a device states, each with what is to be changed for a gyro without it."""
+"""Errors that a device states, each with the changes that remove it."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

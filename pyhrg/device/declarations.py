@@ -14,8 +14,8 @@ from typing import Literal
 
 @dataclass(frozen=True)
 class EffectDeclaration:
-    """The parameter is what may be wrong with a gyro: an effect that a diagnosis may name, or a
-    noise that it may find above its believed level.
+    """Declares that a parameter may be wrong: an effect that a diagnosis may name, or a noise that
+    may exceed its believed level.
 
     Attributes:
         name: name in the record format.
@@ -42,7 +42,8 @@ Family = Literal["gyro", "nominal", "bench", "record"]
 
 @dataclass(frozen=True)
 class ToleranceDeclaration:
-    """The parameter is known from elsewhere within a tolerance: a nominal value, or the bench's.
+    """Declares that a parameter is known from elsewhere within a tolerance: a nominal value, or one
+    of the bench.
 
     Attributes:
         name: name of the cause in the record format if the value is off by more.

@@ -21,7 +21,7 @@ POWERS = 3
 
 @dataclass(frozen=True)
 class Motion:
-    """What a gyro goes through, row by row.
+    """Motion and environment of a gyro, row by row.
 
     Attributes:
         interval: length of a row, s.

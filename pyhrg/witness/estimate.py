@@ -1,4 +1,4 @@
-"""The bias map of a gyro now, from a log of its own channels (docs/methods/witness.md)."""
+"""The present bias map of a gyro, from a log of its own channels (docs/methods/witness.md)."""
 
 from dataclasses import dataclass
 from typing import Any

@@ -41,7 +41,7 @@ SCATTER_BLOCKS = 200
 
 @dataclass(frozen=True)
 class Flown:
-    """What a fit needs of one gyro.
+    """One gyro of a fit.
 
     Attributes:
         device: the gyro as it is believed.
@@ -58,7 +58,7 @@ class Flown:
 
 @dataclass(frozen=True)
 class FittedChanges:
-    """What the forces say if nothing but the mechanisms made them.
+    """Changes that explain the forces if nothing but the mechanisms made them.
 
     Attributes:
         changes: (COUNT,) since the calibration, SI.

@@ -1,4 +1,4 @@
-"""How far mechanisms may have moved since the calibration: the prior of the estimate (Eq. 3)."""
+"""The prior of the estimate: how far mechanisms may have changed since the calibration (Eq. 3)."""
 
 import math
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Forces of a gyro that goes through what a log recorded, simulated by the FMU.
+"""Forces of a gyro that goes through a recorded motion, simulated by the FMU.
 
 The log has no true rate and no temperature of the resonator. Both are found in rounds: the rate is
 the one that turns the simulated pattern, as it is detected, through the recorded angles, and the
@@ -34,7 +34,7 @@ the case's rate of temperature needs two averages on both sides."""
 
 @dataclass(frozen=True)
 class Witnesses:
-    """What a log holds of a gyro's own channels, with no row missing.
+    """A gyro's own channels in a log, with no row missing.
 
     Attributes:
         interval: length of a row, s.
@@ -67,7 +67,7 @@ class Witnesses:
 
 @dataclass(frozen=True)
 class Replay:
-    """What the FMU makes of it.
+    """Simulation of a log by the FMU, compared with the log.
 
     Attributes:
         residuals: (n, 2) recorded less simulated forces, 1/s.
@@ -84,7 +84,7 @@ class Replay:
 
 @dataclass(frozen=True)
 class Course:
-    """What a simulated gyro goes through.
+    """Motion and temperature of a simulated gyro.
 
     Attributes:
         start: pattern angle at the beginning, rad.

@@ -18,7 +18,7 @@ STRUCTURE = "SystemStructure.ssd"
 
 @dataclass(frozen=True)
 class Connector:
-    """What an element shows of itself: kind, and type and unit where they are given."""
+    """A connector of an element: its kind, and its type and unit where they are given."""
 
     name: str
     kind: str

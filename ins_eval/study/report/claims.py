@@ -184,7 +184,7 @@ def judge_conditions(data: StudyData) -> list[JudgedClaim]:
 
 @dataclass(frozen=True)
 class ConditionResult:
-    """What the claims come to in a condition of claim (d).
+    """Verdicts of the claims in a condition of claim (d).
 
     Attributes:
         name: name of the condition.

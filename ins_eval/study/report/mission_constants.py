@@ -1,5 +1,5 @@
-"""What bench figures are worth in each mission of a study: the constants of its classes, which
-`predictors/class_constants.py` makes from the training triads."""
+"""Constants of each mission class of a study, which turn bench figures into position errors.
+`predictors/class_constants.py` makes them from the training triads."""
 
 from dataclasses import dataclass
 

@@ -1,7 +1,6 @@
 """Blocks of a study: each result is a pure function of the study and the block's number. The
-identity of a study is all that determines its results to the last bit: the study, the code, its
-libraries.
-"""
+identity of a study is everything that determines its results to the last bit: the study, the code,
+its libraries."""
 
 import hashlib
 import io

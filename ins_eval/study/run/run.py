@@ -40,7 +40,7 @@ class Experiment:
 
 @dataclass(frozen=True)
 class Cluster:
-    """Who computes the blocks.
+    """Workers that compute the blocks.
 
     Attributes:
         scheduler: address of a Dask scheduler; None for processes of this machine.

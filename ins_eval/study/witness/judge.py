@@ -1,4 +1,4 @@
-"""How well the gyros' own channels predict and correct flights: scores with intervals.
+"""Scores, with intervals, of how well the gyros' own channels predict and correct flights.
 
 Equations: docs/methods/witness.md, "Judged".
 """

@@ -1,4 +1,4 @@
-"""What the channels of a triad's gyros tell in one flight, and what that is worth."""
+"""Estimates from the channels of a triad's gyros in one flight, and their position errors."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

@@ -1,5 +1,6 @@
-"""What a free pattern does at a constant rate: it locks in, or turns in whole periods. The bias map
-that locks it comes from logs in which the table turns the pattern slowly, both ways.
+"""Behaviour of a free pattern at a constant rate: it locks in, or turns in whole periods. The bias
+map that locks it comes from logs in which the table turns the pattern slowly, in both
+directions.
 
 The mean output rate of a segment less the mean input rate is the bias map averaged over the pattern
 angles of the segment. Errors of adjacent segments are correlated: the angle noise where one ends

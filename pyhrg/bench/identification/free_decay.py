@@ -107,7 +107,7 @@ def _decay(log: Log, before: int, last: int, site: Site, k: float) -> Decay:
 
 @dataclass(frozen=True)
 class Gyro:
-    """What else decides what the ring-down looks like.
+    """Known parameters of the gyro that a ring-down depends on.
 
     Attributes:
         k: Bryan factor.

@@ -1,4 +1,5 @@
-"""Stretches of logs that show noise: table at rest, commands constant; their coefficients."""
+"""Stretches of logs that show noise (table at rest, commands constant), and their noise
+coefficients."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -115,7 +116,7 @@ def select_comparable(records: Sequence[NoiseRecord]) -> tuple[list[NoiseRecord]
 
 @dataclass(frozen=True)
 class Noise:
-    """What one state of the gyro has shown.
+    """Noise of one state of the gyro.
 
     Attributes:
         records: records that share the coefficients, at one interval.

@@ -1,4 +1,4 @@
-"""What a user holds after a run: the result of a test, and the results of all tests."""
+"""Results of a run: of one test, and of all tests."""
 
 import math
 from collections.abc import Mapping, Sequence

@@ -22,7 +22,7 @@ AXES = {"amplitude": "amplitude", "quadrature": "quadrature"}
 
 @dataclass(frozen=True)
 class Disturbance:
-    """A disturbance of gyro or bench that is no parameter of the device; none by default.
+    """A disturbance of gyro or bench that is no parameter of the device; by default none.
 
     Attributes:
         model: parameters of the FMU, by its names, SI.

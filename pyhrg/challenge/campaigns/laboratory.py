@@ -1,4 +1,4 @@
-"""How a laboratory differs from an ideal one: nominal values and bench are a little wrong.
+"""Errors of a laboratory: nominal values and bench differ a little from the truth.
 
 Written without use of the replay that a diagnosis makes of such records.
 """

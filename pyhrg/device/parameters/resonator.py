@@ -1,4 +1,4 @@
-"""Parameters of the resonator, of what reads its vibration and of what drives it."""
+"""Parameters of the resonator, its pick-offs and its drives."""
 
 from dataclasses import dataclass
 

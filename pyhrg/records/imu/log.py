@@ -1,6 +1,5 @@
-"""The log of an IMU: increments, which are what an IMU gives the navigator, columns of a log as a
-table (CSV, Parquet), and the numbers of its text files.
-"""
+"""The log of an IMU: increments, the columns of a log as a table (CSV, Parquet), and the numbers of
+its text files."""
 
 import io
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""Values in another unit, axis or column than a log says, found by gravity and Earth's rate."""
+"""Finds values in another unit, axis or column than a log says, by gravity and Earth's rate."""
 
 import itertools
 from dataclasses import dataclass

@@ -49,7 +49,7 @@ def hand_out_challenge(
     The study runs first, and goes on where it was interrupted.
 
     Args:
-        seed: seed of everything random. Whoever knows it can compute the truth.
+        seed: seed of all random numbers. Whoever knows it can compute the truth.
         study: a study, the name of one that comes with the package, or a file, with one
             calibration.
         workers, scheduler, progress: as in `run_study`.

@@ -14,9 +14,9 @@ class State:
     """State of a vehicle at one time.
 
     Attributes:
-        latitude, longitude: rad.
-        height: above the ellipsoid, m.
-        velocity: (3,) over ground, north, east, down, m/s.
+        latitude, longitude: geodetic, rad.
+        height: height above the ellipsoid, m.
+        velocity: (3,) velocity over ground, north, east, down, m/s.
         mat_nb: (3, 3) attitude, from body to navigation axes.
     """
 

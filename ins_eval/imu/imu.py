@@ -33,7 +33,7 @@ class ImuReading:
 
 @dataclass(frozen=True)
 class Imu:
-    """An inertial measurement unit; ideal by default.
+    """An inertial measurement unit; by default an ideal one.
 
     Attributes:
         gyros, accelerometers: the sensors.
@@ -79,8 +79,8 @@ class Imu:
     def draw_mounting(
         self, seed: int | np.random.SeedSequence
     ) -> tuple[Mounting, np.random.Generator]:
-        """Mounting of the unit that a seed draws, and the generator that has drawn it, beside that
-        of the sensors."""
+        """Draw the mounting of a seed's unit by a generator independent of the sensors'. Return
+        both."""
         aside = np.random.Generator(np.random.PCG64(seed).jumped())
         return self.mounting.disturb(self.mounting_deviation, aside), aside
 

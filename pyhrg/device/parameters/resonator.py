@@ -119,8 +119,8 @@ class ResonatorParameters:
         fmu="resonator.material.electrostaticCubic",
         effect=EffectDeclaration("electrostatic_cubic", 1e-3 * HZ, ("amplitude", "wave_angle")),
     )
-    """Frequency shift of x, and of y, at its own unit amplitude by softening of eight electrodes
-    [delta], rad/s."""
+    """Softening of x, and of y, by eight electrodes: decrease of its frequency at its own unit
+    amplitude [delta], rad/s."""
     thermal_lag: float = parameter(
         600.0,
         key="thermal_lag_s",

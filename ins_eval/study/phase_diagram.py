@@ -161,7 +161,7 @@ def compute_phase_diagram(training: TriadBlock, drift: MapDrift, seed: int) -> l
 
 
 def compute_turning(mission: StudyMission) -> float:
-    """Turns of the pattern that turns most in a mission, back and forth alike, revolutions per
+    """Turns of the pattern that turns most in a mission, in both directions, revolutions per
     hour."""
     seconds = round(mission.hours * HOUR)
     rotation = mission.trajectory().increments(0.0, 1.0, seconds).rotation

@@ -84,8 +84,8 @@ class MapEstimate:
             n for n, v in zip(NAMES, self.prior.covariance.diagonal(), strict=True) if not v
         ]:
             lines.append(
-                f"taken as unchanged: {', '.join(fixed)} (a drift is a share of what the device "
-                "states, and a share of 0 is 0)"
+                f"taken as unchanged: {', '.join(fixed)} (the device states 0, and a drift is a "
+                "share of the stated value)"
             )
         if not self.is_explained:
             reason = (

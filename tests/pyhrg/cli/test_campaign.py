@@ -98,6 +98,16 @@ def test_what_a_diagnosis_would_refuse_is_said(
     assert "\na diagnosis would refuse it: 1 of 1 logs, as table.csv: columns gyro" in said
 
 
+def test_noise_that_nothing_tells_is_said(
+    mapping: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    mapping.write_text(re.sub(r"angle_random_walk.*", "", mapping.read_text()))
+    assert run(mapping, "--check") == 0
+    said = capsys.readouterr().out
+    assert "\na diagnosis would refuse it: campaign.json: nominal: states no noise of the" in said
+    assert "Not at rest: 3 on a table that turns at 0.0057 deg/s or faster, 1 in stretch" in said
+
+
 def test_a_log_with_the_gyros_columns_alone_is_imported_and_benched(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

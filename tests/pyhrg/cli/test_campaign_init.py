@@ -1,6 +1,7 @@
 """`hrg campaign init`: drafts of mappings from the headers of logs."""
 
 import tomllib
+from datetime import datetime, timedelta
 from pathlib import Path
 
 import numpy as np
@@ -119,3 +120,41 @@ def test_a_log_without_a_header_is_not_drafted(
     assert main(["campaign", "init", str(tmp_path / "log.csv"), "--out", str(out)]) == 2
     assert "found no row of names above the values" in capsys.readouterr().err
     assert not out.exists()
+
+
+@pytest.mark.parametrize(
+    "form", ["%H:%M:%S", "%d.%m.%Y %H:%M:%S", "%Y-%m-%dT%H:%M:%S", "%d.%m.%Y %H:%M:%S,%f"]
+)
+def test_clocks_of_a_night_are_read(tmp_path: Path, form: str) -> None:
+    """Twenty minutes about midnight, in the encoding of a German Windows."""
+    begin = datetime(2024, 3, 5, 23, 50)
+    rows = ["Stempel;Winkel [°];Muster [°]"]
+    for i in range(120):
+        clock = (begin + timedelta(seconds=10 * i)).strftime(form)
+        rows.append(f"{clock};{0.03 * i:.2f};{-0.01 * i:.2f}")
+    (tmp_path / "nacht.csv").write_text("\n".join(rows), encoding="cp1252")
+    out = tmp_path / "mapping.toml"
+    assert main(["campaign", "init", str(tmp_path / "nacht.csv"), "--out", str(out)]) == 0
+    fill_in(out)
+    log = import_campaign(out).campaign.tests[0].log
+    assert log.time == pytest.approx(10.0 * np.arange(1, 121))
+    assert log.gyro_angle[-1] / DEG == pytest.approx(0.03 * 119)
+
+
+@pytest.mark.parametrize(
+    ("text", "refusal"),
+    [
+        ("t [s],gyro [deg]\n1,0.1\n2,0.2\n", "columns.wave_angle: found 'edit'"),
+        ("t [s],x,pattern [deg]\n1,7,0.1\n2,7,0.2\n", "columns.gyro_angle: found 'edit'"),
+        ("t,gyro [deg],pattern [deg]\n3/5/24 1:02:03,1,1\n3/5/24 1:02:04,1,1\n", "time.format"),
+    ],
+)
+def test_what_is_not_found_is_to_be_edited(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str, refusal: str
+) -> None:
+    (tmp_path / "log.csv").write_text(text)
+    out = tmp_path / "mapping.toml"
+    assert main(["campaign", "init", str(tmp_path / "log.csv"), "--out", str(out)]) == 0
+    fill_in(out)
+    assert run(out, "--check") == 2
+    assert refusal in capsys.readouterr().err

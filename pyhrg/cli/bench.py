@@ -1,8 +1,8 @@
 """`hrg bench`: the tests of the bench, on the FMU or on recorded logs."""
 
 import argparse
-import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -85,7 +85,7 @@ def run(options: argparse.Namespace) -> None:
 
     check_output_folder(options.out)
     plan = {o.name: getattr(options, o.name) for p in PROCEDURES for o in p.options}
-    campaign = None if options.campaign is None else pyhrg.read_campaign(options.campaign)
+    campaign = None if options.campaign is None else _read_campaign(options.campaign)
     results = pyhrg.run_tests(
         None if options.test == ALL else [options.test],
         options.device,
@@ -100,15 +100,21 @@ def run(options: argparse.Namespace) -> None:
     print(results)
     folders = [result.name for result in results.results]
     print(f"\nwritten to {options.out}: {', '.join(['report.html', *folders])}")
-    if campaign is not None:
-        _warn_of_refusal(campaign)
 
 
-def _warn_of_refusal(campaign: "pyhrg.Campaign") -> None:
-    """Say on standard error why a diagnosis would refuse the records whose figures were printed."""
+def _read_campaign(folder: Path) -> "pyhrg.Campaign":
+    """A campaign; where a diagnosis would refuse its records, each log says so, and with it the
+    results."""
     from pyhrg.gap.soundness import screen_campaign
 
+    campaign = pyhrg.read_campaign(folder)
     try:
         screen_campaign(campaign)
     except HrgError as error:
-        print(f"hrg: warning: a diagnosis would refuse these records: {error}", file=sys.stderr)
+        note = f"a diagnosis would refuse these records: {error}"
+        logs = [
+            replace(test.log, exclusions=(*test.log.exclusions, note)) for test in campaign.tests
+        ]
+        pairs = zip(campaign.tests, logs, strict=True)
+        return replace(campaign, tests=tuple(replace(t, recording=log) for t, log in pairs))
+    return campaign

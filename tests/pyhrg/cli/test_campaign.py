@@ -149,10 +149,10 @@ wave_angle = { column = "pattern", unit = "deg" }
     capsys.readouterr()
     bench = ["bench", "fixed-position", "--campaign", tmp_path / "turned", "--out", tmp_path / "b"]
     assert main([*map(str, bench)]) == 0
-    assert (
-        "warning: a diagnosis would refuse these records: campaign.json: nominal.c"
-        in capsys.readouterr().err
-    )
+    said = "a diagnosis would refuse these records: campaign.json: nominal.c"
+    assert f"Record: static.csv.gz: {said}" in capsys.readouterr().out
+    assert said in (tmp_path / "b" / "report.html").read_text()
+    assert said in (tmp_path / "b" / "fixed-position" / "result.json").read_text()
 
 
 @pytest.mark.parametrize("gyro", ["", ", from_zero = true"])

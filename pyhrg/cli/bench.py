@@ -38,6 +38,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help=f"evaluate recorded logs instead; with {ALL}, the tests that it has records for",
     )
     parser.add_argument(
+        "--fmu",
+        type=Path,
+        metavar="FILE",
+        help="simulate this FMU with the parameters of --device: of a class of your own that is or "
+        "holds an HRG (hrg build --class), or closed.fmu of a diagnosis",
+    )
+    parser.add_argument(
         "--seed", type=int, default=1, metavar="N", help="of everything random (default 1)"
     )
     parser.add_argument(
@@ -90,6 +97,7 @@ def run(options: argparse.Namespace) -> None:
         None if options.test == ALL else [options.test],
         options.device,
         campaign=campaign,
+        fmu=options.fmu,
         seed=options.seed,
         workers=options.workers,
         out=options.out,

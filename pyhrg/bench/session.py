@@ -140,9 +140,8 @@ def run_tests(
             source = open_records(campaign, procedures)
         else:
             store = None if folder is None else Store(folder / LOGS_TO_RESUME)
-            file = None if fmu is None else Path(fmu)
             source = prepare_simulation(
-                procedures, device, seed, workers, store, counter, changes, file
+                procedures, device, seed, workers, store, counter, changes, fmu
             )
         if folder is not None and not force:
             check_page(folder, bool(_read_kept(folder, source)))

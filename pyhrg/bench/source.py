@@ -80,7 +80,7 @@ def prepare_simulation(
     store: Store | None,
     progress: BenchProgress,
     plan: Mapping[str, float],
-    fmu_file: Path | None = None,
+    fmu_file: Path | str | None = None,
 ) -> Source:
     """A source that simulates a gyro on the virtual bench.
 
@@ -96,14 +96,14 @@ def prepare_simulation(
             str(device),
         )
     if fmu_file is not None:
-        fmus = dict.fromkeys({p.model for p in procedures}, _load_fmu(fmu_file))
+        fmus = dict.fromkeys({p.model for p in procedures}, _load_fmu(Path(fmu_file)))
     else:
         fmus = _load_fmus(procedures, progress.say)
     _check_model_names(gyro, fmus, place)
     threads = choose_workers(workers)
 
     name = gyro.name or NAMELESS
-    name += "" if fmu_file is None else f" in {fmu_file.name}"
+    name += "" if fmu_file is None else f" in {Path(fmu_file).name}"
 
     def simulate_campaign(procedure: Procedure) -> Campaign:
         fmu = fmus[procedure.model]

@@ -212,7 +212,7 @@ def _estimate_white_of_means(
         count = math.ceil(duration / test.log.interval)
         whole = len(residual) // count * count
         means = residual[:whole].reshape(-1, count).mean(axis=1)
-        rows = test.rows[name][:whole].reshape(-1, count).all(axis=1)
+        rows = np.asarray(test.rows[name][:whole].reshape(-1, count).all(axis=1))
         differences = _second_differences(means * math.sqrt(count), rows)
         if len(differences) >= MIN_DIFFERENCES:
             deviations.append(_standard_deviation([differences]))

@@ -126,10 +126,7 @@ def run_tests(
     """
     procedures = _choose_procedures(names)
     changes = {name: value for name, value in plan.items() if value is not None}
-    if device is not None and campaign is not None:
-        raise HrgError("device, campaign: found both, expected one gyro: simulated or recorded")
-    if fmu is not None and device is None:
-        raise HrgError("fmu: found no device beside it, expected the one whose parameters it gets")
+    _check_gyro(device, campaign, fmu)
     check_seed(seed)
     choose_workers(workers)
     _check_plan(changes, procedures, campaign is not None)
@@ -159,6 +156,14 @@ def run_tests(
     if folder is not None:
         _write_page(folder, source, results, force)
     return results
+
+
+def _check_gyro(device: object, campaign: object, fmu: object) -> None:
+    """Refuse more than one gyro, and an FMU without the parameters that it gets."""
+    if device is not None and campaign is not None:
+        raise HrgError("device, campaign: found both, expected one gyro: simulated or recorded")
+    if fmu is not None and device is None:
+        raise HrgError("fmu: found no device beside it, expected the one whose parameters it gets")
 
 
 def describe_readiness(campaign: Campaign) -> str:

@@ -8,8 +8,8 @@ study [CALIBRATION TRAINING JUDGED]
                            R2 of the position error in linear flights of two hours, of triads whose
                            maps are calibrated (seed 1, as `hrg study standard`)
 flown [CALIBRATION FOLDER TRIADS HOURS FIRST]
-                           scores of flights on the FMU at 1 kHz, after each triad, numbers from FIRST;
-                           flights in FOLDER (witness-flown) are not flown again
+                           scores of flights on the FMU at 1 kHz, after each triad; those in FOLDER
+                           (witness-flown) are not flown again
 benched [GYROS]            NEES of estimates with an error of the bench, and of their maps
 outside                    the estimate where something changed that its prior holds for constant
 """

@@ -55,13 +55,13 @@ class BenchTest:
     degrees: int
 
     @property
-    def log_p_value(self) -> float:
-        """Logarithm of the probability of a square as large, if the map is right."""
-        return float(chi2.logsf(self.square, self.degrees)) if self.degrees else 0.0
+    def p_value(self) -> float:
+        """Probability of a square as large, if the map is right."""
+        return float(chi2.sf(self.square, self.degrees)) if self.degrees else 1.0
 
     @property
     def contradicts(self) -> bool:
-        return self.log_p_value < np.log(CONTRADICTION)
+        return self.p_value < CONTRADICTION
 
 
 def read_bench_map(path: Path | str, drift: tuple[float, float]) -> BenchMap:

@@ -228,7 +228,7 @@ class AidedDrive:
             "heading_sigma_deg": sigma,
             "bias_map": self.table.to_dict("records"),
             "bench": {
-                "tests": [{**asdict(t), "log_p_value": t.log_p_value} for t in self.bench_tests],
+                "tests": [{**asdict(t), "p_value": t.p_value} for t in self.bench_tests],
                 "used": [BODY[axis] for axis in sorted(self.bench_used)],
             },
         }

@@ -16,6 +16,7 @@ from ins_eval.error_model.error_budget import BODY
 from ins_eval.mission_model.gyro_map import HARMONICS, NAMES, TERMS
 from ins_eval.mission_model.missions import STILL
 from pyhrg.common.arrays import Array
+from pyhrg.common.errors import HrgError
 from pyhrg.common.toml_table import TomlTable, read_json_table
 from pyhrg.common.units import ARCSEC, DEG_PER_H, PPM
 
@@ -129,11 +130,19 @@ def choose_bench_maps(
 
 def _stack(sensors: SensorStates, maps: Mapping[int, BenchMap]) -> tuple[Array, Array, Array]:
     """(m, c) response of the terms that were measured and that coefficients make, (m,) values and
-    variances."""
+    variances.
+
+    Raises:
+        HrgError: a gyro without such a term.
+    """
     every = respond(sensors, POWER_ON)
     rows, values, variances = [np.empty((0, len(sensors)))], [np.empty(0)], [np.empty(0)]
+    sizes = np.sqrt(np.diag(sensors.covariance))
     for axis, each in maps.items():
-        own = np.isfinite(each.variances) & np.any(every[axis] != 0, axis=1)
+        own = np.isfinite(each.variances) & np.any(every[axis] * sizes != 0, axis=1)
+        if not own.any():
+            found = f"bench: {BODY[axis]}: found no term that the errors of the IMU have"
+            raise HrgError(f"{found}, expected whole-angle gyros, or the mean bias of others")
         rows.append(every[axis, own])
         values.append(each.values[own])
         variances.append(each.variances[own])

@@ -8,8 +8,15 @@ import pytest
 from scipy.stats import chi2
 
 import ins_eval
-from ins_eval.aided.bench_maps import TOGETHER, choose_bench_maps, read_bench_map
+from ins_eval.aided.bench_maps import (
+    TOGETHER,
+    choose_bench_maps,
+    read_bench_map,
+    take_bench_maps,
+)
 from ins_eval.aided.kalman.backward import Adjoint, smooth
+from ins_eval.aided.kalman.sensors import SensorStates
+from ins_eval.error_model.effects import gyro_bias
 from ins_eval.mission_model.gyro_map import TERMS
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG_PER_H, PPM
@@ -117,6 +124,12 @@ def test_bad_results_are_refused(tmp_path: Path, findings: object, message: str)
     path.write_text(json.dumps({"findings": findings}))
     with pytest.raises(HrgError, match=message):
         read_bench_map(path, DRIFT)
+
+
+def test_a_map_is_refused_where_the_imu_has_a_mean_alone(driven: DrivenFiles) -> None:
+    states = SensorStates((gyro_bias(),), np.full((1, 3), 1e-8), np.zeros((1, 3)), np.zeros(6))
+    with pytest.raises(HrgError, match="bench: right: found no term that the errors of the IMU"):
+        take_bench_maps(states, {1: read_bench_map(driven.bench[1], DRIFT)})
 
 
 def test_maps_without_their_drift_are_refused(driven: DrivenFiles) -> None:

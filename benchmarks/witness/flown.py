@@ -53,5 +53,5 @@ def fly_triads(
                 calibration=distribution.method, mission_class=CLASSES[mission], mission=mission
             )
             write_whole(paths[place], rows.to_csv(index=False).encode())
-        tables = [pd.read_csv(path, float_precision="round_trip") for path in paths]
+        tables = [pd.read_csv(path) for path in paths]
         yield pd.concat(tables, ignore_index=True)

@@ -48,7 +48,7 @@ partial block PartialElectronics "Control electronics of a gyro: they read its p
     annotation (Placement(transformation(extent = {{100, -46}, {112, -34}})));
   Outputs.AngularFrequency frequencyOffset "Reference frequency less the nominal one, as the clock of the electronics counts it"
     annotation (Placement(transformation(extent = {{100, -86}, {112, -74}})));
-  Outputs.Switch valid "1 while the output is valid"
+  Outputs.DimensionlessRatio valid "1 while the output is valid"
     annotation (Placement(transformation(extent = {{100, -99}, {112, -87}})));
   annotation (Icon(graphics = {Rectangle(extent = {{-100, 100}, {100, -100}}), Line(points = {{-60, -40}, {-20, -40}, {-20, 20}, {20, 20}, {20, -10}, {60, -10}}), Text(extent = {{-150, 140}, {150, 105}}, textString = "%name", textColor = {0, 0, 255})}),
     Documentation(info="<html>

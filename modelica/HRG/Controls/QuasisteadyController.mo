@@ -65,7 +65,7 @@ equation
   pump = parametricShare*growthRate;
   growthRate = synthesis.growthRate;
   quadratureForce = synthesis.quadratureForce;
-  reference = synthesis.motion[8];
+  reference = synthesis.reference;
   commandedTurn = (1 - forceToRebalance)*(2*readout.bryanFactor*virtualRotation*driveOn) + 2*sweep.rate*driveOn;
   gyroAngle = readout.gyroAngle;
   gyroRate = readout.gyroRate;

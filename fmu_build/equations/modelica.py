@@ -55,6 +55,15 @@ def read_types(files: Iterable[str]) -> dict[str, RealType]:
     }
 
 
+@cache
+def list_integers(libraries: Path) -> frozenset[str]:
+    """Last names of the integer parameters that the libraries in a folder declare."""
+    texts = (file.read_text(encoding="utf-8") for file in sorted(libraries.rglob("*.mo")))
+    return frozenset(
+        name for text in texts for name in re.findall(r"\bparameter\s+Integer\s+(\w+)", text)
+    )
+
+
 def find_type(name: str, types: Mapping[str, RealType]) -> RealType | None:
     """The type that a name means, which may begin at any package around it."""
     return next((t for full, t in types.items() if f".{full}".endswith(f".{name}")), None)

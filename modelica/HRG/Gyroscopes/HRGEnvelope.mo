@@ -38,12 +38,13 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
     startAngle = startAngle,
     startForce = startAmplitude/resonator.material.decayTime,
     frequency = resonator.material.frequency,
-    authority = drive.authority) constrainedby Interfaces.PartialElectronics(
+    authority = drive.authority) "Control electronics; redeclared, a controller of one's own closes the loops"
+    constrainedby Interfaces.PartialElectronics(
     samplePeriod = samplePeriod,
     startAngle = startAngle,
     startForce = startAmplitude/resonator.material.decayTime,
     frequency = resonator.material.frequency,
-    authority = drive.authority) "Control electronics; redeclared, a controller of one's own closes the loops"
+    authority = drive.authority)
     annotation (choicesAllMatching = true, Placement(transformation(extent = {{-36, -128}, {36, -8}})));
 equation
   connect(angularRate, resonator.angularRate)

@@ -101,7 +101,8 @@ class Population:
         common: correlation of each normal deviate from gyro to gyro, 0 to 1: gyros of one maker
             have maps of one shape. Uniform and log-uniform draws are each gyro's own.
         rarer: size of mechanisms that not every gyro has (33, 34 and 38), over the one above; 0:
-            none. They are drawn last, so that all else is as without them.
+            none, and none is drawn. They are a gyro's last draws; the next gyro of the same
+            generator is then another one.
     """
 
     smallest: float

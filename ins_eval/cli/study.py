@@ -20,8 +20,8 @@ CHALLENGE = "challenge"
 def add_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("study", metavar="STUDY", nargs="?", default="small", help="small (default), standard, "
-        "wide, narrow, one-maker, self-witness, or a file (TOML); challenge: hand out the gyros of "
-        "small, their flights sealed")  # fmt: skip
+        "wide, narrow, one-maker, rarer, self-witness, or a file (TOML); challenge: hand out the "
+        "gyros of small, their flights sealed")  # fmt: skip
     add("--out", type=Path, default=Path("hrg-study"), metavar="DIR", help="output folder "
         "(default hrg-study)")  # fmt: skip
     add("--seed", type=int, metavar="N", help="seed instead of the study's; a challenge needs one "

@@ -31,6 +31,7 @@ _POPULATION = (
     Key("smallest_deg_h", "smallest", DEG_PER_H, 1e-4, 100),
     Key("largest_deg_h", "largest", DEG_PER_H, 1e-4, 100),
     Key("common_share", "common", 1, 0, 1),
+    Key("rarer_mechanisms", "rarer", 1, 0, 10),
 )
 _PLAN = (
     Key("runs", "runs", 1, 1, 100, whole=True),

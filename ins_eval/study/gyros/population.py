@@ -34,6 +34,12 @@ same in all gyros of one maker. All numbers are chosen.
     rate random walk                            5e-4 to 5e-3 deg/h in an hour, log-uniform
     angle white noise                           0.01 to 0.05 arcsec, log-uniform
 
+    where `rarer` is 1
+    cubic softening by eight electrodes         0.3 of the frequency split (1 sigma)
+    pick-offs read in turn                      5 us (1 sigma)
+    flicker of the damping anisotropy           1e-5 to 1e-3 of it, log-uniform
+    flicker of pick-off gain and phase          1e-7 to 1e-6, log-uniform, each
+
 Sensitivities to specific force and to the rate of temperature are residuals of a compensation: raw
 ones are 1e-3 to 2e-2 deg/h per g or per kelvin. With an angle random walk of 3e-4 deg/sqrt(h) a
 tumble test of an hour measures them within 4e-4 deg/h per g; a ramp of an hour at a kelvin per
@@ -94,11 +100,15 @@ class Population:
         smallest, largest: bounds of the size of their bias maps as they are built, rad/s.
         common: correlation of each normal deviate from gyro to gyro, 0 to 1: gyros of one maker
             have maps of one shape. Uniform and log-uniform draws are each gyro's own.
+        rarer: size of mechanisms that not every gyro has (33, 34 and 38), over the one above; 0:
+            none, and none is drawn. They are a gyro's last draws; the next gyro of the same
+            generator is then another one.
     """
 
     smallest: float
     largest: float
     common: float = field(default=0.0, kw_only=True)
+    rarer: float = field(default=0.0, kw_only=True)
 
     def __post_init__(self) -> None:
         if not 0 < self.smallest <= self.largest < math.inf:
@@ -128,6 +138,8 @@ class Population:
             _add_noise,
         ):
             device = mechanisms(device, size, generator)
+        if self.rarer:
+            device = _add_rarer(device, self.rarer, generator)
         return replace(device, turn_on_scatter=_compute_scatter(device))
 
 
@@ -226,6 +238,17 @@ def _add_noise(device: Device, size: float, generator: Generator) -> Device:
         bias_instability=_draw_log_uniform(generator, 5e-4, 5e-3) * DEG_PER_H,
         rate_random_walk=per_root_hour,
         angle_white_noise=_draw_log_uniform(generator, 0.01, 0.05) * ARCSEC,
+    )
+
+
+def _add_rarer(device: Device, share: float, generator: Generator) -> Device:
+    return replace(
+        device,
+        electrostatic_cubic=generator.normal(0.0, 0.3 * share) * device.frequency_split,
+        sampling_skew=generator.normal(0.0, 5e-6 * share),
+        damping_anisotropy_flicker=share * _draw_log_uniform(generator, 1e-5, 1e-3),
+        pickoff_gain_flicker=share * _draw_log_uniform(generator, 1e-7, 1e-6),
+        phase_flicker=share * _draw_log_uniform(generator, 1e-7, 1e-6),
     )
 
 

@@ -1,5 +1,7 @@
 """Gyros that are drawn."""
 
+from dataclasses import asdict
+
 import numpy as np
 import pytest
 
@@ -44,6 +46,23 @@ def test_gyros_of_one_maker_are_alike_in_shape_not_in_size() -> None:
     }
     assert spread[0.8] / spread[0.0] == pytest.approx(np.sqrt(0.2), rel=0.15)
     assert len({each.bias_instability for each in drawn[0.8]}) == 400
+
+
+def test_rarer_mechanisms_change_nothing_else() -> None:
+    """Of the gyro with the same seed; twice as large where they are asked for twice."""
+    drawn = [
+        Population(*SIZES, rarer=share).draw(np.random.default_rng(5)) for share in (0.0, 1.0, 2.0)
+    ]
+    without, once, twice = map(asdict, drawn)
+    moved = {key for key, value in once.items() if value != without[key]}
+    assert moved == {
+        "electrostatic_cubic",
+        "sampling_skew",
+        "damping_anisotropy_flicker",
+        "pickoff_gain_flicker",
+        "phase_flicker",
+    }
+    assert all(without[key] == 0 and twice[key] == 2 * once[key] for key in moved)
 
 
 def test_impossible_sizes_are_refused() -> None:

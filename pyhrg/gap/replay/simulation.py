@@ -102,7 +102,9 @@ class Simulation:
         turned = corrected["wave_angle"] - settled["wave_angle"]
         slopes = self.differentiate_by_angle(device, test).slopes
         shifted = {name: slopes[name] * turned for name in CHANNELS if name not in ANGLES}
-        return add_channels(_apply_loop_response(corrected, device, test), shifted)
+        return add_channels(
+            _apply_loop_response(corrected, device, test, test.log.amplitude_setpoint), shifted
+        )
 
     def _run_with_phase_lag(self, device: Device, inputs: ReplayInputs) -> dict[str, Array]:
         """With quasi-steady loops, and the phase loop's lag behind a frequency that drifts."""
@@ -249,9 +251,10 @@ def _subtract(
     change = {name: last[name] - first[name] for name in CHANNELS}
     if is_short(len(test.log.time), test.log.interval):
         return change
-    change = _apply_loop_response(change, high, test)
+    change["quadrature"] = last["quadrature"] - first["quadrature"]
+    change = _apply_loop_response(change, high, test, 0.0)
     if any(getattr(low, name) != getattr(high, name) for name in LOOP_FIELDS):
-        before, after = (_apply_loop_response(dict(first), d, test) for d in (low, high))
+        before, after = (_apply_loop_response(dict(first), d, test, 0.0) for d in (low, high))
         for name in ("amplitude", *FORCES):
             change[name] = change[name] + after[name] - before[name]
     return change
@@ -263,15 +266,27 @@ def add_channels(values: ChannelValues, difference: ChannelValues) -> dict[str, 
 
 
 def _apply_loop_response(
-    values: dict[str, Array], device: Device, test: ObservedTest
+    values: dict[str, Array], device: Device, test: ObservedTest, aim: Array | float
 ) -> dict[str, Array]:
     """Quasi-steady forces through the loops' transfer functions, and the amplitude's error
-    (docs/methods/replay.md, Eqs. 5 and 6). Changes `values`."""
-    error = compute_loop_error(values["amplitude_force"], device.amplitude_loop, test.log.interval)
-    values["amplitude"] = values["amplitude"] - device.amplitude * error
+    (docs/methods/replay.md, Eqs. 5 to 6a). Changes `values`.
+
+    aim: (n,) amplitude that the loop holds; 0 in a difference of two gyros.
+    """
+    interval, is_driven = test.log.interval, test.log.drive_on > 0
+    departures = {
+        "amplitude_force": values["amplitude"] / device.amplitude,
+        "quadrature_force": values["quadrature"],
+    }
     loops = (device.amplitude_loop, device.quadrature_loop)
     for name, frequency in zip(FORCES, loops, strict=True):
-        values[name] = compute_loop_force(values[name], frequency, test.log.interval)
+        slope = np.diff(departures[name], prepend=departures[name][0]) / interval
+        needed = values[name] - np.where(is_driven, slope, 0.0)
+        if name == "amplitude_force":
+            error = compute_loop_error(needed, frequency, interval)
+            held = np.where(is_driven, aim, values["amplitude"])
+            values["amplitude"] = held - device.amplitude * error
+        values[name] = compute_loop_force(needed, frequency, interval)
     return values
 
 

@@ -13,12 +13,11 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
 from pyhrg.gap.replay import replay as replays
-from pyhrg.gap.replay.loop_response import compute_loop_error, compute_loop_force
+from pyhrg.gap.replay.loop_response import FORCES, apply_loop_response
 from pyhrg.gap.replay.observations import (
     CHANNELS,
     COARSE_STEP,
     FINE_ROW,
-    FORCES,
     Mask,
     ObservedTest,
     compute_settling_time,
@@ -103,7 +102,7 @@ class Simulation:
         slopes = self.differentiate_by_angle(device, test).slopes
         shifted = {name: slopes[name] * turned for name in CHANNELS if name not in ANGLES}
         return add_channels(
-            _apply_loop_response(corrected, device, test, test.log.amplitude_setpoint), shifted
+            apply_loop_response(corrected, device, test.log, test.log.amplitude_setpoint), shifted
         )
 
     def _run_with_phase_lag(self, device: Device, inputs: ReplayInputs) -> dict[str, Array]:
@@ -252,9 +251,9 @@ def _subtract(
     if is_short(len(test.log.time), test.log.interval):
         return change
     change["quadrature"] = last["quadrature"] - first["quadrature"]
-    change = _apply_loop_response(change, high, test, 0.0)
+    change = apply_loop_response(change, high, test.log, 0.0)
     if any(getattr(low, name) != getattr(high, name) for name in LOOP_FIELDS):
-        before, after = (_apply_loop_response(dict(first), d, test, 0.0) for d in (low, high))
+        before, after = (apply_loop_response(dict(first), d, test.log, 0.0) for d in (low, high))
         for name in ("amplitude", *FORCES):
             change[name] = change[name] + after[name] - before[name]
     return change
@@ -263,31 +262,6 @@ def _subtract(
 def add_channels(values: ChannelValues, difference: ChannelValues) -> dict[str, Array]:
     """Sum by channel; a channel that has no difference is unchanged."""
     return {name: own + difference.get(name, 0.0) for name, own in values.items()}
-
-
-def _apply_loop_response(
-    values: dict[str, Array], device: Device, test: ObservedTest, aim: Array | float
-) -> dict[str, Array]:
-    """Quasi-steady forces through the loops' transfer functions, and the amplitude's error
-    (docs/methods/replay.md, Eqs. 5 to 6a). Changes `values`.
-
-    aim: (n,) amplitude that the loop holds; 0 in a difference of two gyros.
-    """
-    interval, is_driven = test.log.interval, test.log.drive_on > 0
-    departures = {
-        "amplitude_force": values["amplitude"] / device.amplitude,
-        "quadrature_force": values["quadrature"],
-    }
-    loops = (device.amplitude_loop, device.quadrature_loop)
-    for name, frequency in zip(FORCES, loops, strict=True):
-        slope = np.diff(departures[name], prepend=departures[name][0]) / interval
-        needed = values[name] - np.where(is_driven, slope, 0.0)
-        if name == "amplitude_force":
-            error = compute_loop_error(needed, frequency, interval)
-            held = np.where(is_driven, aim, values["amplitude"])
-            values["amplitude"] = held - device.amplitude * error
-        values[name] = compute_loop_force(needed, frequency, interval)
-    return values
 
 
 def compute_carrier_terms(

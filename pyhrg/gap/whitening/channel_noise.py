@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -65,9 +65,8 @@ class CampaignNoise:
     bryan_factor: float
 
     def get_model(self, channel: str, test: ObservedTest, rows: Mask | None = None) -> NoiseModel:
-        """Noise of a channel in a test, or in some rows (docs/methods/whitening.md, Eqs. 13-17)."""
-        own = self.get_own_model(channel, test)
-        return own.add_reading_noise(test.read_noise(channel, rows))
+        """Noise of a channel in a test, or some rows (docs/methods/whitening.md, Eqs. 13-17b)."""
+        return adapt_to_rows(self.get_own_model(channel, test), channel, test, rows)
 
     def get_own_model(self, channel: str, test: ObservedTest) -> NoiseModel:
         """Noise of a channel that is the same in all rows of a test."""
@@ -104,6 +103,19 @@ class CampaignNoise:
         coarse = [self.temperature[name] for name, own in self.reading_steps.items() if own]
         variance = max(min(coarse) ** 2 - step**2 / 12, 0.0)
         return step / 2 * math.exp(-2 * math.pi**2 * variance / step**2)
+
+
+def adapt_to_rows(
+    noise: NoiseModel, channel: str, test: ObservedTest, rows: Mask | None = None
+) -> NoiseModel:
+    """A channel's noise in the rows of a test: with the readings' own noise, and grown where the
+    amplitude is small. The amplitude walks once the drive is off (Eqs. 13, 17 and 17a)."""
+    own = noise.add_reading_noise(test.read_noise(channel, rows))
+    growth = test.noise_growth.get(channel)
+    if growth is None:
+        return own
+    growth = growth if rows is None else growth[rows]
+    return replace(own, walk_growth=growth, white_growth=None if channel == "amplitude" else growth)
 
 
 def estimate_campaign_noise(
@@ -184,7 +196,8 @@ def _estimate_white(
     parts: dict[float, list[Array]] = {}
     for test, residual in zip(tests, residuals, strict=True):
         own = parts.setdefault(test.log.interval, [])
-        own.append(_second_differences(residual[name], test.rows[name]))
+        growth = 1.0 if name == "amplitude" else test.noise_growth.get(name, 1.0)
+        own.append(_second_differences(residual[name] / growth, test.rows[name]))
     every = [part for own in parts.values() for part in own]
     return {
         interval: max(

@@ -142,15 +142,13 @@ def _make_root(file: Path) -> Root:
         raise BuildError(f"class file: {file.stem}: the library has this name; expected another")
     description = read_page(file).description or f"Gyro of the class {file.stem}"
     usual = ROOTS["HRG"]
-    return Root(
-        file.stem, file.stem, description, usual.integrator, usual.step, file=file.resolve()
-    )
+    return Root(file.stem, file.stem, description, usual.integrator, usual.step, file.resolve())
 
 
 def _find_prebuilt(root: Root, fmi: int) -> Path | None:
     """The FMU of a model that the installed wheel holds, if it is one of the present sources."""
     path = PREBUILT / digest_sources()[:16] / f"{root.identifier}.fmu"
-    return path if root.file is None and fmi == PREBUILT_FMI and path.is_file() else None
+    return path if root.class_file is None and fmi == PREBUILT_FMI and path.is_file() else None
 
 
 def write_prebuilt(progress: Progress) -> None:
@@ -164,8 +162,8 @@ def _digest_build(root: Root) -> str:
     """Digest of the sources, of the C compiler's version, and of the file of a class that is not
     the library's."""
     digest = hashlib.sha256(f"{digest_sources()} {find_compiler_version()}".encode())
-    if root.file is not None:
-        digest.update(root.file.read_bytes())
+    if root.class_file is not None:
+        digest.update(root.class_file.read_bytes())
     return digest.hexdigest()
 
 
@@ -183,7 +181,7 @@ def write_fmu(
     with tempfile.TemporaryDirectory(prefix="hrg-build-") as name:
         folder = Path(name)
         with refuse_unreadable(root.model, "gyro that the generator knows"):
-            dae = translate(find_modelica_library(), root.model, file=root.file)
+            dae = _translate(root)
             description = write_sources(dae, folder, fmi, root)
         content = {"modelDescription.xml": description.encode()}
         packed = [*(folder / name for name in sources), *folder.glob("*.h")]
@@ -200,6 +198,13 @@ def write_fmu(
     path.parent.mkdir(parents=True, exist_ok=True)
     write_whole(path, pack_archive(content))
     progress(f"built {path}")
+
+
+def _translate(root: Root) -> Dae:
+    gyros = find_modelica_library()
+    if root.class_file is not None or root.library == gyros.name:
+        return translate(gyros, root.model, class_file=root.class_file)
+    return translate(gyros.with_name(root.library), root.model, uses=(gyros,))
 
 
 DIGESTED_FOLDERS = ("equations", "code", "c", "binaries", "archive")

@@ -3,8 +3,6 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from pyhrg.common.made_by import find_modelica
-
 METHODS = {
     "runge_kutta_4": "the classical Runge-Kutta method of fourth order",
     "dormand_prince_8": "the method of Dormand and Prince of eighth order, at fixed steps",
@@ -20,7 +18,7 @@ class Root:
     identifier: name of the FMU and of its libraries.
     integrator: one of `METHODS`.
     step: default communication step, s.
-    file: Modelica file that holds the model, where it is not in the library.
+    class_file: a user's file that holds the model, where no library does.
     """
 
     identifier: str
@@ -28,7 +26,12 @@ class Root:
     description: str
     integrator: str
     step: str
-    file: Path | None = None
+    class_file: Path | None = None
+
+    @property
+    def library(self) -> str:
+        """Name of the library that holds the model."""
+        return self.model.partition(".")[0]
 
 
 ROOTS = {
@@ -81,7 +84,6 @@ PARTS = {
             "Strapdown navigator on WGS-84",
             "runge_kutta_4",
             "0.01",
-            find_modelica() / "Strapdown" / "package.mo",
         ),
         Root(
             "Accelerometers",
@@ -89,7 +91,6 @@ PARTS = {
             "Three accelerometers with stated errors",
             "runge_kutta_4",
             "0.01",
-            find_modelica() / "Strapdown" / "package.mo",
         ),
     )
 }

@@ -3,7 +3,7 @@ compiler, or gives it work without end, ends that process alone.
 
 Called as `python -m fmu_build.equations.class_compiler LIBRARY MODEL FILE RESULT`, it writes the
 compiler's document, JSON. What else stands in the file's folder, and the compiler would read, is
-left out, but for a package's: the file is compiled in RESULT's folder.
+left out: the file is compiled in RESULT's folder.
 """
 
 import json
@@ -60,15 +60,14 @@ def _limit_resources() -> None:
 
 def _main() -> None:
     library, model, file, result = sys.argv[1:]
-    is_package = Path(file).name == "package.mo"
-    alone = file if is_package else shutil.copy(file, Path(result).parent)
+    alone = str(shutil.copy(file, Path(result).parent))
     rumoca = import_extra("rumoca")
     _limit_resources()
     try:
-        text = rumoca.Session([library]).load(str(alone), model=model).to_json("dae")
-        Path(result).write_text(text.replace(json.dumps(str(alone)), json.dumps(file)))
+        text = rumoca.Session([library]).load(alone, model=model).to_json("dae")
+        Path(result).write_text(text.replace(json.dumps(alone), json.dumps(file)))
     except rumoca.RumocaError as error:
-        print(fold_line(str(error).replace(str(alone), file)), file=sys.stderr)
+        print(fold_line(str(error).replace(alone, file)), file=sys.stderr)
         sys.exit(REFUSED)
 
 

@@ -1,5 +1,6 @@
 """Modelica to flat equations: with `class_compiler.py` the only caller of the Modelica compiler."""
 
+from collections.abc import Iterable
 from pathlib import Path
 
 from fmu_build.equations.case_angle import add_case_angle
@@ -13,10 +14,16 @@ COMPILER_VERSION = "0.10.2"
 SCHEMA_VERSION = 43
 
 
-def translate(library: Path, model: str, source: str = "", file: Path | None = None) -> Dae:
+def translate(
+    library: Path,
+    model: str,
+    source: str = "",
+    class_file: Path | None = None,
+    uses: Iterable[Path] = (),
+) -> Dae:
     """Flat equations of a model of a library (the folder of `package.mo`) by its full name, e.g.
     `HRG.Gyroscopes.HRGEnvelope`. A model that is not the library's own but uses it is given as its
-    Modelica text, `source`, or as the `file` that holds it."""
+    Modelica text, `source`, or as the user's file that holds it. The library may use others."""
     rumoca = import_extra("rumoca")
     if rumoca.version() != COMPILER_VERSION:
         raise HrgError(
@@ -24,13 +31,14 @@ def translate(library: Path, model: str, source: str = "", file: Path | None = N
             "for which the generator is written"
         )
     try:
-        if file is not None:
-            document = compile_class(library, model, file)
+        if class_file is not None:
+            document = compile_class(library, model, class_file)
         elif source:
             document = rumoca.Session([str(library)]).loads(source, model=model).to_dict("dae")
         else:
             package = str(library / "package.mo")
-            document = rumoca.Session().load(package, model=model).to_dict("dae")
+            session = rumoca.Session([str(used) for used in uses])
+            document = session.load(package, model=model).to_dict("dae")
     except rumoca.RumocaError as error:
         raise HrgError(f"{model}: {error}") from error
     if document["schema_version"] != SCHEMA_VERSION:

@@ -29,6 +29,9 @@ REPLAY_RESOLUTION = {
 }
 """Smallest noise that a channel is given, SI: the difference of two replays of one device, with
 sampled loops and with quasi-steady loops (tests/pyhrg/gap/replay/test_simulation.py)."""
+SETTLED_PHASE = 4.0
+"""Shortest mean of a force, in time constants of its loop, that has all of the force noise. Chosen:
+second differences of such means see 1.13 of its variance (docs/methods/whitening.md, Eq. 22)."""
 THIRD_DIFFERENCE = np.array([20.0, -30.0, 12.0, -2.0]) / 6
 """Weights of the autocovariance at lags of 0 to 3 rows in the variance of third differences over
 sqrt(6). Derived: 1, -3, 3, -1 correlated with itself."""
@@ -148,6 +151,7 @@ def estimate_campaign_noise(
             least = REPLAY_RESOLUTION[channel]
             white[channel][interval] = math.sqrt(max(deviation**2 - change**2 / 12, least**2))
     density = (2 * nominal.bryan_factor * nominal.angle_random_walk) ** 2
+    pairs = list(zip(tests, residuals, strict=True))
     loops = {
         "amplitude_force": nominal.amplitude_loop,
         "quadrature_force": nominal.quadrature_loop,
@@ -156,7 +160,9 @@ def estimate_campaign_noise(
         for interval, deviation in white[channel].items():
             share = compute_visible_share(interval, loop)
             hidden = max(1 - share, 0.0) * min(density / interval, deviation**2 / share)
-            white[channel][interval] = math.sqrt(deviation**2 + hidden)
+            own = [(t, r[channel]) for t, r in pairs if t.log.interval == interval]
+            shown = _estimate_white_of_means(channel, own, SETTLED_PHASE / loop)
+            white[channel][interval] = min(math.sqrt(deviation**2 + hidden), max(deviation, shown))
     return CampaignNoise(
         build_angle_noise(nominal),
         white,
@@ -206,6 +212,22 @@ def _estimate_white(
         )
         for interval, own in parts.items()
     }
+
+
+def _estimate_white_of_means(
+    name: str, pairs: Sequence[tuple[ObservedTest, Array]], duration: float
+) -> float:
+    """Standard deviation of a row that makes the second differences of means over at least this
+    duration, s, from pairs of a test and its (n,) residual; infinite where there are too few."""
+    parts = []
+    for test, residual in pairs:
+        count = math.ceil(duration / test.log.interval)
+        whole = len(residual) // count * count
+        means = residual[:whole].reshape(-1, count).mean(axis=1)
+        rows = test.rows[name][:whole].reshape(-1, count).all(axis=1)
+        parts.append(_second_differences(means * math.sqrt(count), rows))
+    is_known = sum(map(len, parts)) >= MIN_DIFFERENCES
+    return _standard_deviation(parts) if is_known else math.inf
 
 
 def build_angle_noise(device: Device) -> NoiseModel:

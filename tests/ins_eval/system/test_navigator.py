@@ -1,7 +1,6 @@
 """The navigator's FMU is `ins_eval.navigate`: one mechanisation, in Modelica and compiled."""
 
 import re
-from pathlib import Path
 
 import fmpy
 import numpy as np
@@ -9,7 +8,6 @@ import pytest
 
 import ins_eval
 from fmu_build import build_fmu
-from fmu_build.roots import PARTS
 from ins_eval.common import earth
 from ins_eval.common.rotation import mat_from_euler
 from ins_eval.common.state import State, Track, position_error
@@ -17,12 +15,12 @@ from ins_eval.navigation.coefficients import derive_coefficients
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
 from ins_eval.system.system import list_start
 from pyhrg.common.arrays import Array
+from pyhrg.common.made_by import find_modelica
 from pyhrg.records.imu.log import Increments
 
 INTERVAL = 0.01
 OUTPUTS = ["latitude", "longitude", "height", "velocityNorth", "velocityEast", "velocityDown"]
-STRAPDOWN = PARTS["Navigator"].file
-assert STRAPDOWN is not None
+STRAPDOWN = find_modelica() / "Strapdown"
 
 
 @pytest.fixture(scope="module")
@@ -151,8 +149,7 @@ def test_is_an_fmu_of_fmi_3_too() -> None:
 
 def test_its_numbers_are_those_of_the_compiled_navigator() -> None:
     """Earth's, and the coefficients of two increments, as the Modelica text has them."""
-    assert STRAPDOWN is not None
-    text = (STRAPDOWN.parent / "Earth" / "package.mo").read_text()
+    text = (STRAPDOWN / "Earth" / "package.mo").read_text()
     stated = dict(re.findall(r"Real (\w+) = ([\d.e-]+) ", text))
     own = {
         "rate": earth.RATE,
@@ -168,5 +165,5 @@ def test_its_numbers_are_those_of_the_compiled_navigator() -> None:
     assert turning == pytest.approx(np.array([[0, 2 / 3], [-2 / 3, 0]]), abs=1e-15)
     assert scrolling == pytest.approx(np.array([[7 / 30, 0.1], [-7 / 30, -0.1]]), abs=1e-15)
     assert mean == pytest.approx([5 / 6, 1 / 6], abs=1e-15)
-    step = (Path(STRAPDOWN).parent / "Mechanization" / "bodyStep.mo").read_text()
+    step = (STRAPDOWN / "Mechanization" / "bodyStep.mo").read_text()
     assert all(number in step for number in ("2/3*", "7/30*", "1/10*", "5/6*", "1/6*"))

@@ -134,6 +134,10 @@ def estimate_campaign_noise(
     simulation, (n,) by channel for each test, SI. The simulation undoes `thermometer_lag`, s, which
     amplifies the thermometer's noise.
     """
+    residuals = [
+        _refer_to_nominal_amplitude(test, residual)
+        for test, residual in zip(tests, residuals, strict=True)
+    ]
     white = {name: _estimate_white(name, tests, residuals) for name in REPLAY_RESOLUTION}
     steps = estimate_reading_steps({t.test.id: list_measured_temperatures(t.log) for t in tests})
     temperature = {
@@ -151,7 +155,6 @@ def estimate_campaign_noise(
             least = REPLAY_RESOLUTION[channel]
             white[channel][interval] = math.sqrt(max(deviation**2 - change**2 / 12, least**2))
     density = (2 * nominal.bryan_factor * nominal.angle_random_walk) ** 2
-    pairs = list(zip(tests, residuals, strict=True))
     loops = {
         "amplitude_force": nominal.amplitude_loop,
         "quadrature_force": nominal.quadrature_loop,
@@ -160,6 +163,7 @@ def estimate_campaign_noise(
         for interval, deviation in white[channel].items():
             share = compute_visible_share(interval, loop)
             hidden = max(1 - share, 0.0) * min(density / interval, deviation**2 / share)
+            pairs = zip(tests, residuals, strict=True)
             own = [(t, r[channel]) for t, r in pairs if t.log.interval == interval]
             shown = _estimate_white_of_means(channel, own, SETTLED_PHASE / loop)
             white[channel][interval] = min(math.sqrt(deviation**2 + hidden), max(deviation, shown))
@@ -173,6 +177,14 @@ def estimate_campaign_noise(
         thermometer_lag,
         nominal.bryan_factor,
     )
+
+
+def _refer_to_nominal_amplitude(
+    test: ObservedTest, residual: Mapping[str, Array]
+) -> dict[str, Array]:
+    """A test's residuals with white noise as large as at nominal amplitude (Eq. 17a)."""
+    growth = {name: test.noise_growth.get(name, 1.0) for name in residual if name != "amplitude"}
+    return {name: values / growth.get(name, 1.0) for name, values in residual.items()}
 
 
 def compute_visible_share(interval: float, natural_frequency: float) -> float:
@@ -202,8 +214,7 @@ def _estimate_white(
     parts: dict[float, list[Array]] = {}
     for test, residual in zip(tests, residuals, strict=True):
         own = parts.setdefault(test.log.interval, [])
-        growth = 1.0 if name == "amplitude" else test.noise_growth.get(name, 1.0)
-        own.append(_second_differences(residual[name] / growth, test.rows[name]))
+        own.append(_second_differences(residual[name], test.rows[name]))
     every = [part for own in parts.values() for part in own]
     return {
         interval: max(

@@ -74,19 +74,19 @@ def build_fmu(
     class_file: Path | str | None = None,
     progress: Progress = lambda text: None,
 ) -> Path:
-    """Path of an FMU of the present sources: from the user's cache, built if it isn't there.
+    """Build an FMU of the present sources, or take it from the user's cache, and return its path.
 
     A wheel holds those of FMI 2.0, for all platforms: no compiler is needed where it is installed.
 
     Args:
         model: a key of `fmu_build.roots.ROOTS` (the gyro: HRG, HRGCarrier or HRGSlow) or `PARTS`.
-        class_file: a Modelica file that holds one class, named as the file, that is a gyro with
-            sampled loops and uses the library HRG; it takes the place of `model`.
+        class_file: a Modelica file with one class, named as the file, in place of `model`. The
+            class is a gyro with sampled loops and uses the library HRG.
         fmi: version of the standard, 2 or 3.
-        platforms: keys of `PLATFORMS`; "all" for those that the standard knows; none for this
-            machine's at least.
-        out: file to write; without it, the path is that of the cache.
-        progress: is called with each step's name.
+        platforms: keys of `PLATFORMS`, or "all" for those that the standard knows; by default at
+            least this machine's.
+        out: file to write; by default the file in the cache.
+        progress: function that is called with the name of each step.
 
     Raises:
         HrgError: the message says what is wrong.

@@ -15,10 +15,11 @@ METHODS = {
 class Root:
     """A Modelica model to be exported.
 
-    identifier: name of the FMU and of its libraries.
-    integrator: one of `METHODS`.
-    step: default communication step, s.
-    class_file: a user's file that holds the model, where no library does.
+    Attributes:
+        identifier: name of the FMU and of its libraries.
+        integrator: one of `METHODS`.
+        step: default communication step, s.
+        class_file: a user's file that holds the model, where no library does.
     """
 
     identifier: str

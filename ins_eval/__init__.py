@@ -1,4 +1,4 @@
-"""What the gyro does to a navigator: flights, alignment, error budgets, the study of bench tests.
+"""Effects of the gyro on a navigator: flights, alignment, error budgets, the study of bench tests.
 
 Names load on first use.
 """

@@ -90,7 +90,7 @@ def simulate(
     step_s: float | None = None,
     **inputs: Signal,
 ) -> xr.Dataset:
-    """Outputs of a gyro on a turntable, row by row from power-on.
+    """Simulate a gyro on a turntable from power-on, and return its outputs row by row.
 
     An input is one number, one number a row, or a function of an array of times (s). Rate and
     temperature follow a function in every communication step; other inputs are constant in a row.
@@ -104,8 +104,8 @@ def simulate(
         axis_up: projection of the turntable's axis on local up, -1 to 1.
         temperature_degC: temperature of the case; the device's reference temperature if None.
         pattern_angle_deg: physical pattern angle at power-on; the device's if None.
-        seed: of noise and of turn-on to turn-on scatter, 0 to 2^31 - 1; None: neither.
-        model: of the FMU: HRG, HRGCarrier, or HRGSlow with quasi-steady loops.
+        seed: seed of noise and of turn-on scatter, 0 to 2^31 - 1. None simulates neither.
+        model: FMU to run: HRG, HRGCarrier, or HRGSlow with quasi-steady loops.
         step_s: communication step; the model's own if None.
         inputs: other inputs of the FMU: `acceleration_x_m_s2`, `acceleration_y_m_s2`,
             `acceleration_z_m_s2`, `virtual_rotation_deg_per_s`, `amplitude_setpoint`,
@@ -118,8 +118,8 @@ def simulate(
         it. Attributes of each: `units` (SI), `long_name`, `cell_methods`.
 
     Raises:
-        HrgError: an argument can't be used (the message names it); no such device; the FMU can't
-            be built or refuses a value.
+        HrgError: an argument can't be used (the message names it); no such device; the FMU can't be
+            built or refuses a value.
     """
     gyro = device if isinstance(device, Device) else load_device(device)
     rows = _make_rows(duration_s, interval_s, step_s, model)

@@ -1,1 +1,1 @@
-"""What the archive holds beside the binaries."""
+"""Content of the archive beside the binaries."""

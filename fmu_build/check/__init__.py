@@ -1,1 +1,1 @@
-"""`hrg check`: what an FMU of any maker is held to; our own rules, and other people's tools."""
+"""`hrg check`: checks an FMU of any maker by our own rules and by other people's tools."""

@@ -1,4 +1,4 @@
-"""One check: what was asked, and what was found."""
+"""One check: its question, and its findings."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
@@ -8,10 +8,11 @@ from pyhrg.common.errors import HrgError
 
 @dataclass(frozen=True)
 class Check:
-    """What was asked, what was found, and a remark.
+    """One check: its question, its findings, and a remark.
 
-    skipped: why nothing could be asked here, empty where something was; asked: whether there was
-    anything to ask.
+    Attributes:
+        skipped: why the check could not run here; empty if it ran.
+        asked: whether the file has anything that the check applies to.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""The short run that every importer makes, alike to the last bit, and what it records."""
+"""The short run that every importer makes, the same to the last bit, and its recording."""
 
 import math
 from collections.abc import Iterator
@@ -24,7 +24,9 @@ Trace = dict[str, list[float]]
 class Run:
     """Start at `start`, `steps` communication steps of `step`, s, all else as the file has it.
 
-    standards: what an importer must know; outputs: names and value references of what is recorded.
+    Attributes:
+        standards: what an importer must know.
+        outputs: names and value references of what is recorded.
     """
 
     path: str
@@ -39,7 +41,9 @@ class Run:
 class Experiment(Run):
     """Run of an FMU.
 
-    inputs: values of inputs, set before initialization and held; references: of these.
+    Attributes:
+        inputs: values of inputs, set before initialization and held.
+        references: value references of these inputs.
     """
 
     identifier: str
@@ -49,7 +53,7 @@ class Experiment(Run):
 
 @dataclass(frozen=True)
 class Recording:
-    """What an importer recorded; `remark` says what had to be done for it."""
+    """Recording of an importer; `remark` says what the importer needed for it."""
 
     trace: Trace
     remark: str = ""

@@ -1,4 +1,4 @@
-"""fmi-sim, a program in Rust."""
+"""fmi-sim, an importer written in Rust."""
 
 import re
 import subprocess

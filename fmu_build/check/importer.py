@@ -34,10 +34,12 @@ class MissingError(Exception):
 
 @dataclass(frozen=True)
 class Importer(Generic[Planned]):
-    """An importer: what it is called, which standards it knows, and how to install it.
+    """An importer: its name, the standards that it knows, and how to install it.
 
-    modules: are loaded before the FMU is: an error of theirs is no fault of the FMU; none for a
-    program that is no Python package. run: a function of a module.
+    Attributes:
+        modules: Python modules that are loaded before the FMU, because an error of theirs is no
+            fault of the FMU; none for a program that is no Python package.
+        run: function of a module that makes the run.
     """
 
     name: str

@@ -23,7 +23,7 @@ class CheckReport:
 
     @property
     def finding_count(self) -> int:
-        """Number of findings; none means that it passed every check that ran."""
+        """Number of findings; 0 means that every check that ran was passed."""
         return sum(len(check.findings) for check in self.checks)
 
     @property
@@ -33,13 +33,14 @@ class CheckReport:
 
 
 def check_fmu(path: Path | str, *, progress: Callable[[Check], None] | None = None) -> CheckReport:
-    """Report on an FMU of any maker: our own rules, FMPy's validation, a run in four importers.
+    """Check an FMU of any maker, or a system of FMUs (SSP), and report on it.
 
-    Of a system of FMUs (SSP): each FMU in it, what the system says of them, a run in two importers.
+    An FMU is checked by our own rules and by FMPy's validation, and run in four importers. In a
+    system, each FMU is checked, and the system's description is; two importers run it.
 
     Args:
         path: an FMU of FMI 2.0 or 3.0, or an SSP.
-        progress: is called with each check as it ends.
+        progress: function that is called with each check as it ends.
 
     Raises:
         HrgError: the file is no FMU and no system that can be read.

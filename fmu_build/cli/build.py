@@ -35,7 +35,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         action="append",
         choices=(*fmu_build.PLATFORMS, "all"),
         default=[],
-        help="to compile for; may be repeated (default: this machine's)",
+        help="platform to compile for; repeatable (default: this machine's)",
     )
 
 

@@ -1,4 +1,4 @@
-"""The table of variables that the FMU's door checks calls by, `limits.c`."""
+"""The table `limits.c` of the variables' limits, by which the FMU checks calls."""
 
 from fmu_build.equations.dae import Dae
 from fmu_build.equations.scalars import find_causality, find_kind, is_tunable

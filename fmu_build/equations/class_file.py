@@ -1,4 +1,4 @@
-"""What is wrong with a user's class file and the Modelica compiler doesn't tell."""
+"""Errors of a user's class file that the Modelica compiler doesn't report."""
 
 import re
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""The Modelica compiler's document as a `Dae`; what the generator does not know is refused."""
+"""Reads the Modelica compiler's document as a `Dae`; refuses what the generator does not know."""
 
 from collections.abc import Iterator
 from fractions import Fraction

@@ -88,7 +88,8 @@ class Sample:
 class Dae:
     """A flat model whose periodic clocks tick at whole multiples of one base period.
 
-    sample_period: the base period, s; the default of `settable_period`, where there is one.
+    Attributes:
+        sample_period: the base period, s; the default of `settable_period`, where there is one.
     """
 
     model: str

@@ -17,10 +17,11 @@ from fmu_build.equations.sorting import (
 class Dependencies:
     """Known scalars that a variable depends on: offsets in the model, ascending.
 
-    stepping: inputs, while the simulation runs: through continuous equations alone, since samples
-        hold between ticks.
-    initial: parameters and inputs, during initialization: through the tick at the start time, whose
-        previous values are start values.
+    Attributes:
+        stepping: inputs, while the simulation runs: through continuous equations alone, since
+            samples hold between ticks.
+        initial: parameters and inputs, during initialization: through the tick at the start time,
+            whose previous values are start values.
     """
 
     stepping: tuple[int, ...]

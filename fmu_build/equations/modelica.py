@@ -1,4 +1,5 @@
-"""What the Modelica compiler leaves out of its document: quantities, display units, info pages.
+"""Parts of a model that the Modelica compiler leaves out of its document: quantities, display
+units, info pages.
 
 A small reader of Modelica's text: types derived from Real in one line of attributes, and the
 `Documentation(info="...")` annotation. The tests hold it to a full parser.
@@ -31,7 +32,7 @@ class RealType:
 
 @dataclass(frozen=True)
 class Page:
-    """Documentation of a class: what it is, and its `info` text in HTML."""
+    """Documentation of a class: a description, and its `info` text in HTML."""
 
     name: str
     description: str

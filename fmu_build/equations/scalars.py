@@ -23,9 +23,10 @@ SWITCH = "Units.Switch"
 class Scalar:
     """One scalar variable.
 
-    kind: "real", "integer" or "switch", a real variable that is 1 or 0.
-    attributes: description, quantity, unit, displayUnit, min, max, nominal and start: those that
-        apply.
+    Attributes:
+        kind: "real", "integer" or "switch", a real variable that is 1 or 0.
+        attributes: description, quantity, unit, displayUnit, min, max, nominal and start: those
+            that apply.
     """
 
     name: str

@@ -27,17 +27,18 @@ class Assignment:
 class Schedule:
     """The model's assignments, each list in executable order.
 
-    dae: the model with every alias replaced by what it stands for.
-    parameters: dependent parameters, once.
-    starts: start values of states and sampled variables, once parameters are known; outputs that
-        are another name of a sampled variable.
-    held: variables that derivatives or samples need and that depend on no state; they change only
-        at a sample or when an input is set.
-    derivatives: what else the derivatives need, and the derivatives.
-    outputs: all other continuous variables, aliases among them.
-    tick: sampled variables, and the continuous variables that they need; held variables, at the
-        period of the most frequent sample that changes them; outputs that are another
-        name of a sampled variable.
+    Attributes:
+        dae: the model with every alias replaced by what it stands for.
+        parameters: dependent parameters, once.
+        starts: start values of states and sampled variables, once parameters are known; outputs
+            that are another name of a sampled variable.
+        held: variables that derivatives or samples need and that depend on no state; they change
+            only at a sample or when an input is set.
+        derivatives: what else the derivatives need, and the derivatives.
+        outputs: all other continuous variables, aliases among them.
+        tick: sampled variables, and the continuous variables that they need; held variables, at the
+            period of the most frequent sample that changes them; outputs that are another name of a
+            sampled variable.
     """
 
     dae: Dae

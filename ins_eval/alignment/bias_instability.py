@@ -1,7 +1,7 @@
 """Bias instability during an alignment: flicker noise that begins with the record.
 
-What it has become before the record is part of the stated bias (docs/methods/alignment.md, Eqs. 8
-and 9).
+Its value at the record's begin is part of the stated bias (docs/methods/alignment.md, Eqs. 8 and
+9).
 """
 
 import numpy as np

@@ -36,9 +36,12 @@ SAMPLES = 2
 class InertialFrameFit:
     """The rotation between two frames that are fixed in inertial space.
 
-    mat_ib: (3, 3) from the first body axes to the first navigation axes; gravity: (k, 3) mean
-    directions of the upward reaction to gravity in the first navigation axes; misfit: (k, 3) of the
-    measured directions, rad; span: duration, s.
+    Attributes:
+        mat_ib: (3, 3) from the first body axes to the first navigation axes.
+        gravity: (k, 3) mean directions of the upward reaction to gravity in the first navigation
+            axes.
+        misfit: (k, 3) of the measured directions, rad.
+        span: duration, s.
     """
 
     mat_ib: Array

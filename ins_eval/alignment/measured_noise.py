@@ -33,9 +33,11 @@ CURVATURE_STEP = 0.1
 class MeasuredNoise:
     """Noise estimated by maximum a posteriori.
 
-    errors: the stated ones with the estimated angle and velocity random walk; sway: estimated sway
-    of the vehicle, m; relative_sigma: (3,) relative one-sigma of the three estimates, from the
-    curvature of the posterior.
+    Attributes:
+        errors: stated sensor errors with the estimated angle and velocity random walk.
+        sway: estimated sway of the vehicle, m.
+        relative_sigma: (3,) relative one-sigma of the three estimates, from the curvature of the
+            posterior.
     """
 
     errors: SensorErrors

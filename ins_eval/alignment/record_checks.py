@@ -1,5 +1,5 @@
-"""Checks of a record that an alignment is asked for: an attitude found on a bad one would be wrong
-by more than its sigma.
+"""Checks of the record that an alignment gets: an attitude from a bad record would be wrong by more
+than its sigma.
 
 The stated latitude is held against the one that a standing vehicle's gyros measure. Gravity gives
 the vertical, and the gyros give Earth's rate about it: RATE sin(latitude), upward (Groves 2013,

@@ -18,8 +18,11 @@ closer, they are one rotation."""
 class History:
     """Estimates over the record.
 
-    time: (m,) s; mat_nb: (m, 3, 3) attitudes; covariance: (m, 3, 3) as in `Alignment`; innovation:
-    (m, 2) normalized innovations of the level displacement.
+    Attributes:
+        time: (m,) s.
+        mat_nb: (m, 3, 3) attitudes.
+        covariance: (m, 3, 3) as in `Alignment`.
+        innovation: (m, 2) normalized innovations of the level displacement.
     """
 
     time: Array
@@ -32,9 +35,13 @@ class History:
 class Alignment:
     """Attitude at one time, with its covariance.
 
-    time: of the attitude, s; mat_nb: (3, 3) attitude; covariance: (3, 3) of the attitude error, the
-    rotation vector about north, east, down of `TrackError`, rad^2; history: over the record; sway:
-    standard deviation of the vehicle's level displacement, m.
+    Attributes:
+        time: time of the attitude, s.
+        mat_nb: (3, 3) attitude.
+        covariance: (3, 3) of the attitude error, the rotation vector about north, east, down of
+            `TrackError`, rad^2.
+        history: estimates over the record.
+        sway: standard deviation of the vehicle's level displacement, m.
     """
 
     time: float

@@ -1,4 +1,4 @@
-"""`hrg aid`: the maps of gyros and the way of a vehicle, from a log with position fixes."""
+"""`hrg aid`: bias maps of the gyros and the path of the vehicle, from a log with position fixes."""
 
 import argparse
 from pathlib import Path

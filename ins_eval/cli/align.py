@@ -17,14 +17,19 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("log", nargs="?", type=Path, metavar="FILE", help="recorded log of a standing vehicle; "
         "without it, an IMU is simulated on one")  # fmt: skip
-    add("--imu", default="simple", metavar="NAME|FILE", help="ready IMU or IMU TOML: what is "
-        "simulated; of a log, its biases are assumed and its noise is the prior "
+    add("--imu", default="simple", metavar="NAME|FILE", help="ready IMU or IMU TOML to "
+        "simulate; for a log, its biases are assumed and its noise is the prior "
         "(default simple)")  # fmt: skip
-    add("--trajectory", metavar="NAME|FILE", help="where an IMU is simulated, before it sets off "
+    add("--trajectory", metavar="NAME|FILE", help="mission before whose start an IMU is simulated "
         "(default car)")  # fmt: skip
-    add("--from-s", type=float, metavar="S", help="where to begin in a log (default 0)")
-    add("--seconds", type=float, metavar="S", help="of the record that are used (default 300)")
-    add("--seed", type=int, metavar="N", help="of everything random (default 1)")
+    add(
+        "--from-s",
+        type=float,
+        metavar="S",
+        help="time in a log at which the record begins (default 0)",
+    )
+    add("--seconds", type=float, metavar="S", help="duration of the record (default 300)")
+    add("--seed", type=int, metavar="N", help="seed of all random numbers (default 1)")
     add("--out", type=Path, default=Path("hrg-align"), metavar="DIR", help="output folder "
         "(default hrg-align)")  # fmt: skip
     add_place_options(parser)

@@ -1,4 +1,4 @@
-"""`hrg nav`: an IMU's way along a trajectory, and how far it goes astray."""
+"""`hrg nav`: an IMU's path along a trajectory, with its position error and the causes."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def add_place_options(parser: argparse.ArgumentParser) -> None:
     add("--height-m", type=float, metavar="M", help="height above the ellipsoid (default 0)")
 
 
-HELP = "fly an IMU along a trajectory, and say how far it goes astray"
+HELP = "fly an IMU along a trajectory, and compute its position error and the causes"
 OF_SIMULATIONS = ("rate_hz", "seed", "runs")
 OF_LOGS = ("errors_of", *PLACE)
 OF_BOTH = ("hours", "samples", "height", "align_s", "out", "force")
@@ -31,7 +31,7 @@ OF_BOTH = ("hours", "samples", "height", "align_s", "out", "force")
 def add_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("--trajectory", metavar="NAME|FILE", help="ready mission, mission TOML or recorded drive "
-        "(CSV, may be gzipped) (default car); of a log its truth: none (default), rest, or a "
+        "(CSV, may be gzipped) (default car); for a log, its truth: none (default), rest, or a "
         "recorded drive that begins with it")  # fmt: skip
     add("--imu", default="simple", metavar="NAME|FILE", help="ready IMU, IMU TOML, or recorded log "
         "(default simple)")  # fmt: skip
@@ -39,19 +39,26 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "assumes of a log (default simple)")  # fmt: skip
     add("--out", type=Path, default=Path("hrg-nav"), metavar="DIR", help="output folder "
         "(default hrg-nav)")  # fmt: skip
-    add("--hours", type=float, metavar="H", help="flight, in whole minutes (default 1; of a log, "
-        "what it holds)")  # fmt: skip
-    add("--rate-hz", type=int, metavar="HZ", help="of the increments, 10 to 2000 (default: the "
+    add("--hours", type=float, metavar="H", help="duration, whole minutes (default 1; for a log, "
+        "its length)")  # fmt: skip
+    add("--rate-hz", type=int, metavar="HZ", help="rate of increments, 10 to 2000 (default: the "
         "IMU's)")  # fmt: skip
-    add("--samples", type=int, metavar="N", help="increments a step, 2 to 4 (default 2)")
-    add("--height", choices=("clamped", "free", "baro"), help="what holds the height: the true "
-        "one, nothing, or a loop with the true one (default clamped)")  # fmt: skip
+    add("--samples", type=int, metavar="N", help="increments a navigation step, 2 to 4 (default 2)")
+    add("--height", choices=("clamped", "free", "baro"), help="clamped to the true "
+        "height, free, or held by a loop with the true height (default clamped)")  # fmt: skip
     start = parser.add_mutually_exclusive_group()
-    start.add_argument("--align-s", type=float, metavar="S", help="from power-on to time 0, "
-                       "alignment in it (default 300)")  # fmt: skip
-    start.add_argument("--start-from-truth", action="store_true", help="no alignment")
-    add("--seed", type=int, metavar="N", help="of everything random (default 1)")
-    add("--runs", type=int, metavar="N", help="flights, each with an IMU of its own (default 1)")
+    start.add_argument("--align-s", type=float, metavar="S", help="time from power-on to time "
+                       "0, alignment included (default 300)")  # fmt: skip
+    start.add_argument(
+        "--start-from-truth", action="store_true", help="true attitude instead of alignment"
+    )
+    add("--seed", type=int, metavar="N", help="seed of all random numbers (default 1)")
+    add(
+        "--runs",
+        type=int,
+        metavar="N",
+        help="number of flights, each with an IMU of its own (default 1)",
+    )
     add("--force", action="store_true", help="replace another flight in the output folder")
     add_place_options(parser)
 

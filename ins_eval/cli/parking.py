@@ -1,4 +1,4 @@
-"""`hrg parking`: what it is worth to start level gyros' patterns where their maps say."""
+"""`hrg parking`: the gain of starting level gyros' patterns where their bias is known."""
 
 import argparse
 from pathlib import Path
@@ -8,14 +8,14 @@ from pyhrg.common.cli import collect_given
 from pyhrg.common.files import check_output_folder
 from pyhrg.common.progress import Progress
 
-HELP = "start level gyros' patterns where their maps say the error is least, and fly the difference"
+HELP = "fly triads whose level gyros' patterns start where their bias is known, and others"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
-    add("--seed", type=int, help="of everything random (default 1)")
-    add("--hours", type=float, help="mission length (default 2)")
-    add("--triads", type=int, help="device triads to fly (default 12)")
+    add("--seed", type=int, help="seed of all random numbers (default 1)")
+    add("--hours", type=float, help="duration of the mission (default 2)")
+    add("--triads", type=int, help="number of triads to fly (default 12)")
     add("--trajectory", metavar="NAME|FILE", help="ready mission, mission (TOML) or recorded drive "
         "(CSV, may be gzipped); default car")  # fmt: skip
     add("--out", type=Path, default=Path("hrg-parking"), metavar="DIR", help="output folder")

@@ -1,4 +1,4 @@
-"""`hrg position`: position error that the gap of a diagnosis is worth."""
+"""`hrg position`: the gap of a diagnosis as a position error."""
 
 import argparse
 from pathlib import Path
@@ -7,7 +7,7 @@ import ins_eval
 from pyhrg.common.cli import collect_given
 from pyhrg.common.files import check_output_folder
 
-HELP = "compute the position error that the gap of a diagnosis is worth, in metres"
+HELP = "compute the position error that the gap of a diagnosis causes, in metres"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -17,7 +17,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "mission TOML or recorded drive; repeatable (default car, aircraft, ship)")  # fmt: skip
     add("--hours", type=float, help="duration of the navigation (default 2)")
     add("--triads", type=int, help="number of triads, 10 or more (default 500)")
-    add("--seed", type=int, help="of the power-on angles and intervals (default 1)")
+    add("--seed", type=int, help="seed of power-on angles and bootstrap intervals (default 1)")
 
 
 def run(options: argparse.Namespace) -> None:

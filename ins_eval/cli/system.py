@@ -19,15 +19,20 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "recorded drive (CSV, may be gzipped) (default car)")  # fmt: skip
     add("--imu", default="typical-hrg", metavar="NAME|FILE", help="ready IMU or IMU TOML whose "
         "gyros are of a device (default typical-hrg)")  # fmt: skip
-    add("--hours", type=float, metavar="H", help="mission, in whole minutes (default 1)")
-    add("--rate-hz", type=int, metavar="HZ", help="of the increments and of the communication "
+    add(
+        "--hours",
+        type=float,
+        metavar="H",
+        help="duration of the mission, in whole minutes (default 1)",
+    )
+    add("--rate-hz", type=int, metavar="HZ", help="rate of increments and communication "
         "steps, 10 to 1000 (default: the IMU's)")  # fmt: skip
-    add("--height", choices=("clamped", "free", "baro"), help="what holds the height: the true "
-        "one, nothing, or a loop with the true one (default clamped)")  # fmt: skip
-    add("--seed", type=int, metavar="N", help="of everything random (default 1)")
+    add("--height", choices=("clamped", "free", "baro"), help="clamped to the true "
+        "height, free, or held by a loop with the true height (default clamped)")  # fmt: skip
+    add("--seed", type=int, metavar="N", help="seed of all random numbers (default 1)")
     add("--ssp", choices=("1.0", "2.0"), help="version of the standard (default 1.0)")
     add("--platform", action="append", choices=(*fmu_build.PLATFORMS, "all"), default=[],
-        help="to compile for; may be repeated (default: this machine's)")  # fmt: skip
+        help="platform to compile for; repeatable (default: this machine's)")  # fmt: skip
     add("--out", type=Path, default=Path("system.ssp"), metavar="FILE", help="file to write "
         "(default system.ssp)")  # fmt: skip
 

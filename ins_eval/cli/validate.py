@@ -15,7 +15,7 @@ OPTIONS = ("seed", "hours", "triads", "calibration", "trajectory", "workers", "s
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
-    add("--seed", type=int, metavar="N", help="of everything random (default 1)")
+    add("--seed", type=int, metavar="N", help="seed of all random numbers (default 1)")
     add("--hours", type=float, metavar="H", help="duration of the missions (default 1)")
     add("--triads", type=int, metavar="N", help="triads that are judged (default 40)")
     add("--calibration", choices=("mean", "map"), help="what the maker calibrates (default mean)")

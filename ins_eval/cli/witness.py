@@ -1,4 +1,4 @@
-"""`hrg witness`: the bias map of a gyro now, from a log of its own channels."""
+"""`hrg witness`: the present bias map of a gyro, from a log of its own channels."""
 
 import argparse
 import json
@@ -7,7 +7,7 @@ from pathlib import Path
 import pyhrg
 from pyhrg.common.units import YEAR
 
-HELP = "find a gyro's bias map now, what changed since its calibration, and what that is worth"
+HELP = "estimate a gyro's present bias map, its changes since calibration, and their position error"
 DAYS_PER_YEAR = 365.25
 
 
@@ -21,9 +21,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add("--ageing-share", type=float, metavar="S", help="standard deviation of the change of "
         "damping, pick-offs and drives in a year, as a share of each (default: the "
         "study's)")  # fmt: skip
-    add("--bench-error", action="store_true", help="the device is known no better than the study's "
-        "bench leaves it, which confounds damping with drives")  # fmt: skip
-    add("--mission", default="car", metavar="NAME|FILE", help="where the map's worth is computed "
+    add("--bench-error", action="store_true", help="assume that the study's bench measured the "
+        "device, which confounds damping with drives")  # fmt: skip
+    add("--mission", default="car", metavar="NAME|FILE", help="mission of the position error "
         "(default car)")  # fmt: skip
     add("--hours", type=float, default=1.0, help="duration of that mission (default 1)")
     add("--json", action="store_true", help="print an object instead of the summary")

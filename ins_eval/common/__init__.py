@@ -1,1 +1,1 @@
-"""What all of the navigator's side shares: Earth, attitude, states, statistics."""
+"""Parts that all of the navigator's side uses: Earth, attitude, states, statistics."""

@@ -7,11 +7,13 @@ from dataclasses import dataclass
 class SensorErrors:
     """Errors of each axis, the same for all three; SI units, terms of IEEE Std 528.
 
-    gyro_bias, accelerometer_bias: standard deviation of the constant bias, rad/s and m/s^2;
-    angle_random_walk, velocity_random_walk: coefficient N, rad/sqrt(s) and m/s/sqrt(s);
-    gyro_bias_instability, accelerometer_bias_instability: coefficient B, rad/s and m/s^2;
-    angle_quantization_step, velocity_quantization_step: one count of the increments, rad and m/s;
-    gyro_rate_random_walk: coefficient K, rad/s/sqrt(s).
+    Attributes:
+        gyro_bias, accelerometer_bias: standard deviation of the constant bias, rad/s and m/s^2.
+        angle_random_walk, velocity_random_walk: coefficient N, rad/sqrt(s) and m/s/sqrt(s).
+        gyro_bias_instability, accelerometer_bias_instability: coefficient B, rad/s and m/s^2.
+        angle_quantization_step, velocity_quantization_step: one count of the increments, rad and
+            m/s.
+        gyro_rate_random_walk: coefficient K, rad/s/sqrt(s).
     """
 
     gyro_bias: float = 0.0

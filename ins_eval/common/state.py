@@ -13,8 +13,11 @@ from pyhrg.common.errors import describe_briefly
 class State:
     """State of a vehicle at one time.
 
-    latitude, longitude: rad; height: above the ellipsoid, m; velocity: (3,) over ground, north,
-    east, down, m/s; mat_nb: (3, 3) attitude, from body to navigation axes.
+    Attributes:
+        latitude, longitude: geodetic, rad.
+        height: height above the ellipsoid, m.
+        velocity: (3,) velocity over ground, north, east, down, m/s.
+        mat_nb: (3, 3) attitude, from body to navigation axes.
     """
 
     latitude: float
@@ -39,8 +42,11 @@ class State:
 class Track:
     """States of a vehicle at m times.
 
-    time: (m,) s; position: (m, 3) latitude, longitude (rad; continuous, not wrapped), height (m);
-    velocity: (m, 3) north, east, down, m/s; mat_nb: (m, 3, 3).
+    Attributes:
+        time: (m,) s.
+        position: (m, 3) latitude, longitude (rad; continuous, not wrapped), height (m).
+        velocity: (m, 3) north, east, down, m/s.
+        mat_nb: (m, 3, 3).
     """
 
     time: Array
@@ -58,9 +64,12 @@ class Track:
 class TrackError:
     """Errors of a track: navigator less truth.
 
-    time: (m,) s; position: (m, 3) north, east, down, m; velocity: (m, 3) north, east, down, m/s;
-    attitude: (m, 3) rotation vector about north, east, down that turns the true axes into the
-    computed ones, rad: `mat_nb` computed = (I + [attitude x]) `mat_nb` true.
+    Attributes:
+        time: (m,) s.
+        position: (m, 3) north, east, down, m.
+        velocity: (m, 3) north, east, down, m/s.
+        attitude: (m, 3) rotation vector about north, east, down that turns the true axes into the
+            computed ones, rad: `mat_nb` computed = (I + [attitude x]) `mat_nb` true.
     """
 
     time: Array

@@ -25,10 +25,12 @@ Sensor = Literal["gyro", "accelerometer"]
 class Effect:
     """One kind of sensor error.
 
-    regressor: signal (m, 3) at the nodes of a motion, per SI unit of the coefficient;
-    correlation_time: of the coefficients, s; infinite for constants, otherwise they are first-order
-    Gauss-Markov processes, constant during a step, which must be much shorter; family: name under
-    which a budget sums several effects; by default the effect's own name.
+    Attributes:
+        regressor: signal (m, 3) at the nodes of a motion, per SI unit of the coefficient.
+        correlation_time: correlation time of the coefficients, s; infinite for constants. Otherwise
+            they are first-order Gauss-Markov processes, constant during a step, which must be much
+            shorter.
+        family: name under which a budget sums several effects; by default the effect's own name.
     """
 
     name: str

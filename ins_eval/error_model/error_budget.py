@@ -28,9 +28,11 @@ SENSORS = tuple(f"{kind} {axis}" for kind in ("gyro", "accelerometer") for axis 
 class Weights:
     """Final position error, north and east, m, per earlier error.
 
-    model: the linear model; states: (n + 1, 2, 10) per error of each state at the bounds of the
-    steps; sensors: (n, 2, 6) per error of a gyro's increment, rad, and of an accelerometer's, m/s,
-    in one step.
+    Attributes:
+        model: the linear model.
+        states: (n + 1, 2, 10) weight of an error of each state at the bounds of the steps.
+        sensors: (n, 2, 6) weight of an error in one step, of each gyro's increment, rad, and of
+            each accelerometer's, m/s.
     """
 
     model: LinearModel

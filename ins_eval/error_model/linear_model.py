@@ -30,9 +30,13 @@ AXES = 3
 class LinearModel:
     """Steps x[k+1] = transition[k] x[k] + inputs[k] c + noise of covariance `noise_covariance[k]`.
 
-    time: (n + 1,) bounds of the steps, s; transition: (n, 10, 10); inputs: (n, 10, e, 3) per
-    coefficient of each effect and axis; constant_errors: (n, 10, 6) per error of each gyro, rad/s,
-    and accelerometer, m/s^2, that is constant over the step; noise_covariance: (n, 10, 10).
+    Attributes:
+        time: (n + 1,) bounds of the steps, s.
+        transition: (n, 10, 10).
+        inputs: (n, 10, e, 3) per coefficient of each effect and axis.
+        constant_errors: (n, 10, 6) per error of each gyro, rad/s, and accelerometer, m/s^2, that is
+            constant over the step.
+        noise_covariance: (n, 10, 10).
     """
 
     time: Array

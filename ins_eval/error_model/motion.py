@@ -21,10 +21,15 @@ BOOLE = np.array([7.0, 32.0, 12.0, 32.0, 7.0]) / 90
 class Motion:
     """Motion at the nodes (m,) of n steps, m = 4 n + 1.
 
-    step, start: duration of a step and time of the first node, s; latitude: (m,) rad; height: (m,)
-    m; velocity: (m, 3) north, east, down, m/s; mat_nb: (m, 3, 3); rate: (m, 3) `omega_ib_b`, rad/s;
-    force: (m, 3) `f_b`, m/s^2;
-    turned: (m, 3) integral of `rate` on each axis from the start, rad.
+    Attributes:
+        step, start: duration of a step and time of the first node, s.
+        latitude: (m,) rad.
+        height: (m,) m.
+        velocity: (m, 3) north, east, down, m/s.
+        mat_nb: (m, 3, 3).
+        rate: (m, 3) `omega_ib_b`, rad/s.
+        force: (m, 3) `f_b`, m/s^2.
+        turned: (m, 3) integral of `rate` on each axis from the start, rad.
     """
 
     step: float

@@ -28,16 +28,16 @@ def align(
     longitude_deg: float = 0.0,
     height_m: float = 0.0,
 ) -> AlignedRecord:
-    """Attitude of a standing vehicle, with its one-sigma.
+    """Find the attitude of a standing vehicle, with its one-sigma.
 
     Args:
         log: recorded log of a standing vehicle; None simulates an IMU on one.
-        imu: the IMU that is simulated; of a log, its biases are assumed. The random walks are
-            estimated from the record, with the IMU's as prior.
+        imu: the IMU that is simulated. For a log, its biases are assumed, and its random walks are
+            the prior of those that are estimated from the record.
         trajectory: mission before whose start the simulated vehicle stands.
         from_s: time in the log at which the record begins, s.
         seconds: duration of the record, s.
-        seed: of everything random in a simulation.
+        seed: seed of all random numbers of a simulation.
         latitude_deg, longitude_deg, height_m: place of a log that does not say it.
 
     Raises:

@@ -1,4 +1,4 @@
-"""A record with the attitude found on it: in words, as a figure and as files."""
+"""A standing vehicle's record with its attitude, as text, as a figure and as files."""
 
 import json
 from dataclasses import dataclass
@@ -69,8 +69,11 @@ ANGLES = ("heading", "pitch", "roll")
 class StandingRecord:
     """Increments of a standing vehicle.
 
-    position: (3,) latitude, longitude (rad), height (m); mat_nb: (3, 3) true attitude at the
-    record's end, None if it isn't known.
+    Attributes:
+        name: name of the record or of the simulated IMU.
+        increments: output of the IMU.
+        position: (3,) latitude, longitude (rad), height (m).
+        mat_nb: (3, 3) true attitude at the record's end; None if it isn't known.
     """
 
     name: str
@@ -81,11 +84,14 @@ class StandingRecord:
 
 @dataclass(frozen=True)
 class AlignedRecord:
-    """A record with the attitude found on it.
+    """A standing vehicle's record with its attitude.
 
-    record: what was aligned on; alignment: attitude with its covariance; errors: sensor errors that
-    the covariance rests on; prior: name of the IMU that they are taken from; noise: what the record
-    itself shows of them.
+    Attributes:
+        record: the record that was aligned on.
+        alignment: attitude with its covariance.
+        errors: sensor errors that the covariance assumes.
+        prior: name of the IMU whose errors these are.
+        noise: noise that was measured in the record; None if it was not.
     """
 
     record: StandingRecord
@@ -98,7 +104,7 @@ class AlignedRecord:
 
     @property
     def summary(self) -> str:
-        """Heading, pitch and roll with their one-sigma, in words."""
+        """Heading, pitch and roll with their one-sigma, as text."""
         record, numbers = self.record, describe_alignment(self.alignment)
         increments, error = record.increments, self._find_error_deg()
         lines = [
@@ -120,7 +126,7 @@ class AlignedRecord:
         return FILES
 
     def plot(self) -> Figure:
-        """How heading, pitch and roll settle, with their one-sigma."""
+        """Draw how heading, pitch and roll settle, with their one-sigma."""
         return plot_alignment(self.alignment, self.record.name)
 
     def write(self, folder: Path | str) -> None:

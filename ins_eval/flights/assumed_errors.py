@@ -1,4 +1,4 @@
-"""What the linear model assumes of an IMU: effects, and the standard deviations of each."""
+"""Errors of an IMU that the linear model assumes: effects with their standard deviations."""
 
 import math
 from collections.abc import Sequence
@@ -37,7 +37,13 @@ the Allan deviation of their sum is flat to 5 % from 100 s to 30 000 s (test_ass
 
 @dataclass(frozen=True)
 class AssumedErrors:
-    """effects: of sensors; deviations: (e, 3) of their coefficients, SI; noise: random walks."""
+    """Errors of an IMU that the linear model assumes.
+
+    Attributes:
+        effects: effects of the sensors.
+        deviations: (e, 3) standard deviations of their coefficients, SI.
+        noise: random walks.
+    """
 
     effects: tuple[Effect, ...]
     deviations: Array

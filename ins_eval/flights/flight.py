@@ -1,4 +1,4 @@
-"""Flights of an IMU along a trajectory, held to the truth: measure, align, navigate."""
+"""Flights of an IMU along a trajectory: measure, align, navigate, compare with the truth."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -23,9 +23,13 @@ from pyhrg.records.imu.log import Increments
 class Truth:
     """A trajectory, sampled for a plan.
 
-    trajectory: what is sampled; increments: ideal, from power-on; warm, zero: numbers of increments
-    before alignment and before time 0; start: at time 0; track: at the kept times; heights: at the
-    bounds of the flight's intervals, m.
+    Attributes:
+        trajectory: the trajectory that is sampled.
+        increments: ideal increments from power-on.
+        warm, zero: numbers of increments before alignment and before time 0.
+        start: true state at time 0.
+        track: true states at the kept times.
+        heights: true heights at the bounds of the flight's intervals, m.
     """
 
     trajectory: Trajectory
@@ -79,7 +83,9 @@ def sample_truth(plan: Plan, trajectory: Trajectory) -> Truth:
 class Run:
     """One flight.
 
-    seed: of its IMU; alignment: None when it started from the truth.
+    Attributes:
+        seed: seed of the run's IMU.
+        alignment: the run's alignment; None if it started from the truth.
     """
 
     seed: int
@@ -92,8 +98,10 @@ class Run:
 class Runs:
     """All flights of a plan.
 
-    own: the navigator's track on ideal increments from the true start; first: the first run;
-    alignments, tracks: of all runs.
+    Attributes:
+        own: the navigator's track on ideal increments from the true start.
+        first: the first run.
+        alignments, tracks: alignment and navigated states of each run.
     """
 
     own: Track

@@ -45,7 +45,7 @@ def fly(
     out: Path | str | None = None,
     force: bool = False,
 ) -> Flight:
-    """Flights of a simulated IMU, with errors, the linear model's one-sigma and an error budget.
+    """Fly a simulated IMU, and return errors, the linear model's one-sigma and an error budget.
 
     Args:
         trajectory: ready mission, mission file (TOML) or recorded drive.
@@ -53,11 +53,13 @@ def fly(
         hours: duration of a flight, in whole minutes, up to 24.
         rate_hz: rate of the increments, 10 to 2000; the IMU's own if None.
         samples: increments a navigation step, 2 to 4.
-        height: what holds the height: "clamped" (the true one), "free", or "baro" (a loop).
-        align_s: time from power-on to time 0 with the alignment in it; None starts from the truth.
-        seed: of everything random.
+        height: what holds the height: "clamped" (the true height), "free" (nothing), or "baro" (a
+            third-order loop).
+        align_s: time from power-on to time 0, which contains the alignment; None starts from the
+            truth.
+        seed: seed of all random numbers.
         runs: number of flights, each with an IMU of its own.
-        progress: is called with the number of flights done and the number of all.
+        progress: function that is called with the number of flights done and the number of all.
         out: folder that the flight is written to, see `Flight.write`; None writes nothing.
         force: whether another flight in `out` may be replaced.
 
@@ -129,7 +131,7 @@ def fly_log(
     out: Path | str | None = None,
     force: bool = False,
 ) -> Flight:
-    """Dead reckoning of a recorded log: align on its beginning, navigate to its end.
+    """Navigate a recorded log by dead reckoning: align on its beginning, navigate to its end.
 
     Args:
         log: recorded log of an IMU; it stands until the alignment ends.

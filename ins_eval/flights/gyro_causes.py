@@ -1,7 +1,7 @@
-"""Errors of an IMU's gyros by what their devices state: each is what it changes in a replay.
+"""Errors of an IMU's gyros by the causes that their device files state.
 
-`HRGSlow` replays the flight's motion with the gyros as they are and once more without each error,
-with the same random numbers. The two records' difference is the signal of that error.
+`HRGSlow` replays the flight's motion with the gyros as they are, and once more without each error,
+with the same random numbers. The difference of the two records is the signal of that error.
 """
 
 import math

@@ -1,4 +1,4 @@
-"""The linear error model beside a flight: its 1-sigma, and whose the final error is."""
+"""The linear error model beside a flight: its 1-sigma, and the causes of the final error."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -43,8 +43,9 @@ COLUMNS = ("effect", "axis", "north_contribution_m", "east_contribution_m")
 class Budget:
     """Error budget of run 1.
 
-    shares: contributions to the final error, as `error_model.error_budget` gives them; weights: the
-    adjoint weights that they rest on.
+    Attributes:
+        shares: contributions to the final error (`error_model.error_budget`).
+        weights: adjoint weights that give the contributions.
     """
 
     shares: xr.Dataset
@@ -77,8 +78,9 @@ MOST_STEPS = 20_000
 class Steps:
     """Grid of the linear model.
 
-    step: s; alignment, flight, row: number of steps in the alignment, in the flight and between
-    rows.
+    Attributes:
+        step: length of a step, s.
+        alignment, flight, row: number of steps in the alignment, in the flight and between rows.
     """
 
     step: float

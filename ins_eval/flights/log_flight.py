@@ -1,6 +1,5 @@
-"""Dead reckoning of a recorded log: align on its beginning, navigate to its end, with the linear
-model's 1-sigma along the way that was navigated.
-"""
+"""Dead reckoning of a recorded log: align on its beginning, navigate to its end. The linear model's
+1-sigma follows the navigated path."""
 
 from collections.abc import Callable
 from dataclasses import replace

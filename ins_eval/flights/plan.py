@@ -1,4 +1,4 @@
-"""What a flight is asked to be, from the numbers that a user gives."""
+"""The plan of a flight, from the numbers that a user gives."""
 
 from dataclasses import dataclass
 from typing import Literal, get_args
@@ -30,10 +30,16 @@ MAX_RUNS = 1000
 class Plan:
     """How to fly.
 
-    interval: duration of one increment, s; count: increments from time 0 on; keep_every: increments
-    between rows of the result; samples: increments a navigation step, 2 to 4; height: what holds
-    it; alignment: duration before time 0 without the warm-up, s, or None to start from the true
-    attitude; seed: of everything random; runs: number of flights, each with an IMU of its own.
+    Attributes:
+        interval: duration of one increment, s.
+        count: number of increments from time 0 on.
+        keep_every: number of increments between rows of the result.
+        samples: number of increments a navigation step, 2 to 4.
+        height: height aiding: "clamped", "free" or "baro".
+        alignment: duration before time 0 without the warm-up, s, or None to start from the true
+            attitude.
+        seed: seed of all random numbers.
+        runs: number of flights, each with an IMU of its own.
     """
 
     interval: float

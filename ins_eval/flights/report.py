@@ -1,4 +1,4 @@
-"""Flights of a plan, in words and as files."""
+"""Flights of a plan, as text and as files."""
 
 import json
 import math
@@ -39,14 +39,20 @@ LABEL, NUMBER = 42, 12
 
 @dataclass(frozen=True)
 class Flight:
-    """Flights of one plan, compared with the truth if it is known.
+    """Flights of one plan, with their errors if the truth is known.
 
-    start: (3,) position at time 0: latitude, longitude (rad), height (m); alignments: one a run,
-    none if the runs start from the truth; dataset: navigated states by run and time; where a truth
-    is known, true states and errors; the linear model's one-sigma; for simulated IMUs, the
-    navigator's own error; sigma_budget: of a log, the final one-sigma by effect and axis
-    (`compute_sigma_budget`); imu_digest: SHA-256 of the IMU's parameters or of the log;
-    remark: what a user should know of the trajectory.
+    Attributes:
+        plan: duration, rates, height aiding, alignment, seed and number of runs.
+        trajectory: name of the trajectory.
+        imu: name of the IMU.
+        start: (3,) position at time 0: latitude, longitude (rad), height (m).
+        alignments: alignment of each run; empty if the runs start from the truth.
+        dataset: navigated states by run and time, with the linear model's one-sigma. Where a truth
+            is known, also true states and errors; for simulated IMUs, the navigator's own error.
+        budget: error budget of run 1; None without one.
+        sigma_budget: for a log, the final one-sigma by effect and axis (`compute_sigma_budget`).
+        imu_digest: SHA-256 of the IMU's parameters or of the log.
+        remark: what a user should know of the trajectory.
     """
 
     plan: Plan
@@ -73,7 +79,7 @@ class Flight:
 
     @property
     def summary(self) -> str:
-        """Alignment, errors at the end and error budget in words."""
+        """Alignment, errors at the end and error budget, as text."""
         last = self.dataset.isel(time=-1)
         head = f"at the end, after {float(last['time']) / 3600:.4g} h"
         lines = [f"{head:<{LABEL}}" + "".join(f"{name:>{NUMBER}}" for name in COMPONENTS)]
@@ -83,8 +89,8 @@ class Flight:
 
     @property
     def budget_table(self) -> pd.DataFrame:
-        """Contributions to run 1's final position error, m, by effect and axis; of a log, those to
-        its one-sigma. Units of the columns are in `attrs["units"]`."""
+        """Contributions to the final position error of run 1, m, by effect and axis; for a log,
+        those to its one-sigma. `attrs["units"]` has the units of the columns."""
         if self.sigma_budget is not None:
             table = self.sigma_budget.copy()
         else:
@@ -94,15 +100,15 @@ class Flight:
 
     @property
     def files(self) -> tuple[str, ...]:
-        """Names of the files that `write` makes: more with a truth or a budget."""
+        """Names of the files that `write` makes."""
         return tuple(self._list_writers())
 
     def plot(self) -> Figure:
-        """Path on a map, with the error at the end where a truth is known."""
+        """Draw the path on a map, and the error at the end where a truth is known."""
         return draw_map(self.dataset.assign_attrs(title=self.title))
 
     def plot_growth(self) -> Figure:
-        """Position error over time with its one-sigma.
+        """Draw the position error over time with its one-sigma.
 
         Raises:
             HrgError: no truth is known.

@@ -1,4 +1,4 @@
-"""What a user names: IMUs at a rate, recorded logs with their place, and a log's truth."""
+"""Reads what a user names: IMUs at a rate, recorded logs with their place, and a log's truth."""
 
 import gzip
 from dataclasses import replace
@@ -40,7 +40,7 @@ def write_record(increments: Increments, path: str | Path) -> None:
     """Write increments as an IMU log that `read_record` reads back to the same bits.
 
     Args:
-        increments: of an IMU (`Imu.measure`) or an ideal one (`Trajectory.increments`).
+        increments: those of an IMU (`Imu.measure`) or ideal ones (`Trajectory.increments`).
         path: a table of time and increments in SI (docs/imus.md): `.csv`, `.csv.gz` or `.parquet`.
 
     Raises:

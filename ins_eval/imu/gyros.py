@@ -36,14 +36,15 @@ by degrees an hour."""
 class FmuGyros:
     """Gyros simulated by their FMU.
 
-    device: parameters that the three have in common;
-    own_axes: whether the axes of imperfection and the power-on angle of each gyro are drawn at
-    random (`Device.another`);
-    differences: fields of `Device` that are set for each gyro;
-    calibrated: whether the maker has measured each gyro's mean bias and subtracts it;
-    start_up: whether the record begins at power-on with the gyros' start-up; otherwise the gyros
-    vibrate at full amplitude from the beginning;
-    fmu: the model; None builds the one of the present sources, or takes it from the cache.
+    Attributes:
+        device: parameters that the three have in common.
+        own_axes: whether the axes of imperfection and the power-on angle of each gyro are drawn at
+            random (`Device.another`).
+        differences: fields of `Device` that are set for each gyro.
+        calibrated: whether the maker has measured each gyro's mean bias and subtracts it.
+        start_up: whether the record begins at power-on with the gyros' start-up; otherwise the
+            gyros vibrate at full amplitude from the beginning.
+        fmu: the model; None builds the one of the present sources, or takes it from the cache.
     """
 
     device: Device = TYPICAL
@@ -169,9 +170,11 @@ def with_start_up(device: Device) -> Device:
 class GyroOutput:
     """Output of one gyro from power-on.
 
-    rotation: (n,) increments, rad; pattern_angle: (n,) at the end of each interval, rad; valid:
-    (n,) the gyro's own validity flag at that time; ready: (n,) whether the output is valid and the
-    amplitude within `AMPLITUDE_TOLERANCE`.
+    Attributes:
+        rotation: (n,) increments, rad.
+        pattern_angle: (n,) at the end of each interval, rad.
+        valid: (n,) the gyro's own validity flag at that time.
+        ready: (n,) whether the output is valid and the amplitude within `AMPLITUDE_TOLERANCE`.
     """
 
     rotation: Array

@@ -19,9 +19,11 @@ from pyhrg.records.imu.log import Increments
 class ImuReading:
     """Output of an IMU.
 
-    increments: in body axes; pattern_angle: (n, 3) of the gyros at the end of each interval, rad,
-    None for gyros without a pattern; ready: (n,) whether all gyros are ready at that time, None for
-    gyros without start-up.
+    Attributes:
+        increments: increments in body axes.
+        pattern_angle: (n, 3) pattern angle of each gyro at the end of each interval, rad; None for
+            gyros without a pattern.
+        ready: (n,) whether all gyros are ready at that time, None for gyros without start-up.
     """
 
     increments: Increments
@@ -31,14 +33,15 @@ class ImuReading:
 
 @dataclass(frozen=True)
 class Imu:
-    """An inertial measurement unit; ideal by default.
+    """An inertial measurement unit; by default an ideal one.
 
-    gyros, accelerometers: the sensors;
-    interval: of the increments, s;
-    mounting: of the gyros' input axes, as the navigator assumes it;
-    mounting_deviation: standard deviation of each input axis' error, in each of two directions,
-    rad;
-    name: for reports.
+    Attributes:
+        gyros, accelerometers: the sensors.
+        interval: length of an increment, s.
+        mounting: input axes of the gyros, true and as the navigator assumes them.
+        mounting_deviation: standard deviation of each input axis' error, in each of two directions,
+            rad.
+        name: name in reports.
     """
 
     gyros: FmuGyros | StatedGyros = IDEAL_GYROS
@@ -55,7 +58,7 @@ class Imu:
 
         Args:
             truth: true increments, at the unit's interval.
-            seed: of all random draws; the same seed gives the same bytes.
+            seed: seed of all random draws; the same seed gives the same bytes.
 
         Raises:
             HrgError: increments at another interval; see also `FmuGyros.measure`.
@@ -76,8 +79,8 @@ class Imu:
     def draw_mounting(
         self, seed: int | np.random.SeedSequence
     ) -> tuple[Mounting, np.random.Generator]:
-        """Mounting of the unit that a seed draws, and the generator that has drawn it, beside that
-        of the sensors."""
+        """Draw the mounting of a seed's unit by a generator independent of the sensors'. Return
+        both."""
         aside = np.random.Generator(np.random.PCG64(seed).jumped())
         return self.mounting.disturb(self.mounting_deviation, aside), aside
 

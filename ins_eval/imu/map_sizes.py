@@ -1,4 +1,5 @@
-"""Sizes of a gyro's errors over its pattern angle, for users who know its kind and not its axes."""
+"""Typical sizes of a gyro's errors over its pattern angle, for users who know the kind of gyro but
+not its axes."""
 
 import math
 from collections.abc import Iterable
@@ -17,15 +18,16 @@ CUBIC_SHARE = 0.75
 
 @dataclass(frozen=True)
 class MapSizes:
-    """Standard deviations of a gyro's constants, from unit to unit; cosine and sine are alike.
+    """Standard deviations of a gyro's constants from unit to unit, the same for cosine and sine.
 
-    mean: of the bias, rad/s.
-    bias: of the harmonics of the bias by the resonator and the drives, rad/s.
-    pick_off: of the harmonics of the relative gain of the pick-offs. They shift the detected angle;
-        the amplitude force then acts at a wrong angle, which adds a bias.
-    scale_factor: relative.
-    decay_time: over the share of the amplitude force that electrodes give, s; infinite where
-        parametric drive gives all.
+    Attributes:
+        mean: mean of the bias, rad/s.
+        bias: each coefficient of the bias's harmonics that resonator and drives make, rad/s.
+        pick_off: each coefficient of the harmonics of the pick-offs' relative gain. They shift the
+            detected angle; the amplitude force then acts at a wrong angle, which adds a bias.
+        scale_factor: relative scale-factor error.
+        decay_time: decay time over the share of the amplitude force that electrodes give, s;
+            infinite where parametric drive gives all.
     """
 
     mean: float

@@ -20,7 +20,9 @@ class MountingError(HrgError):
 class Mounting:
     """Input axes of three gyros, unit vectors in body axes, one a row.
 
-    axes: (3, 3) true ones; assumed: (3, 3) those that the navigator uses.
+    Attributes:
+        axes: (3, 3) true input axes.
+        assumed: (3, 3) input axes that the navigator assumes.
     """
 
     axes: Array

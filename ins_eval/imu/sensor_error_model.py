@@ -14,8 +14,9 @@ from pyhrg.noise.coefficients import draw_flicker
 class AxisConstants:
     """Constants of the axes, such as biases: a given part plus a random part.
 
-    value: given part, one number for all or one a constant; deviation: standard deviation of the
-    random part, which is drawn anew for each unit.
+    Attributes:
+        value: given part, one number for all or one a constant.
+        deviation: standard deviation of the random part, which is drawn anew for each unit.
     """
 
     value: tuple[float, ...] | float = 0.0
@@ -46,12 +47,14 @@ class SensorErrorModel:
 
     With u the unit of the sensed quantity (m/s^2 or rad/s):
 
-    bias: u; scale_factor: relative error;
-    misalignment: six sensitivities, rad: of x to y and z, of y to x and z, of z to x and y (Groves
-    2013, Eq. 4.16);
-    random_walk: coefficient N of the angle or velocity random walk, u sqrt(s);
-    bias_instability: coefficient B of IEEE Std 952, u; the Allan deviation's floor is 0.664 B;
-    quantization_step: one count of the summed increments, u s; 0 is none.
+    Attributes:
+        bias: constant bias, u.
+        scale_factor: relative error.
+        misalignment: six sensitivities, rad: of x to y and z, of y to x and z, of z to x and y
+            (Groves 2013, Eq. 4.16).
+        random_walk: coefficient N of the angle or velocity random walk, u sqrt(s).
+        bias_instability: coefficient B of IEEE Std 952, u; the Allan deviation's floor is 0.664 B.
+        quantization_step: one count of the summed increments, u s; 0 is none.
     """
 
     bias: AxisConstants = AxisConstants()

@@ -26,7 +26,8 @@ MAX_MOUNTING_ERROR = 3600.0
 class ErrorKey:
     """A number of the file: SI is value * factor; `high` is the largest size in the file's unit.
 
-    name: with `{}` where `_sigma` goes.
+    Attributes:
+        name: key in the file; `{}` stands where `_sigma` may go.
     """
 
     name: str

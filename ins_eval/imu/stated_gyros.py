@@ -16,9 +16,10 @@ from pyhrg.records.imu.log import Increments
 class GyroReading:
     """Output of three gyros.
 
-    rotation: (n, 3) increments about the input axes, rad; pattern_angle: (n, 3) at the end of each
-    interval, rad, None for gyros without a pattern; ready: (n,) whether all three are ready at that
-    time, None for gyros without start-up.
+    Attributes:
+        rotation: (n, 3) increments about the input axes, rad.
+        pattern_angle: (n, 3) at the end of each interval, rad, None for gyros without a pattern.
+        ready: (n,) whether all three are ready at that time, None for gyros without start-up.
     """
 
     rotation: Array

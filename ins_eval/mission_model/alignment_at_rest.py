@@ -20,9 +20,13 @@ from pyhrg.common.arrays import Array
 class AlignmentAtRest:
     """The alignment of a vehicle at rest, and what its attitude error does later.
 
-    latitude: rad; height: m; mat_nb: (3, 3) true attitude;
-    rates: (COUNT, 3) mean rate error over the alignment per coefficient of `MissionWeights.maps`;
-    attitude: (k, 2, 3) later position error, m, per rad of attitude error after the alignment.
+    Attributes:
+        latitude: rad.
+        height: m.
+        mat_nb: (3, 3) true attitude.
+        rates: (COUNT, 3) mean rate error over the alignment per coefficient of
+            `MissionWeights.maps`.
+        attitude: (k, 2, 3) later position error, m, per rad of attitude error after the alignment.
     """
 
     latitude: float

@@ -35,17 +35,18 @@ PIECE = 1200
 class MissionWeights:
     """Position error north and east of a mission per unit of each sensor error.
 
-    name: name of the mission;
-    time: (k,) s since alignment;
-    maps: (k, 2, COUNT, 3) m per coefficient of `signals` of the gyro along each body axis, whose
-    pattern starts at angle 0;
-    drift: (k, 2, pattern_drift.COUNT, 3) m per product of `pattern_drift`;
-    accelerometers: (k, 2, 3) m per m/s^2 of bias;
-    mounting: (k, 2, 2, 3) m per rad by which the input axis along each body axis leans towards the
-    next body axis, and towards the one after;
-    noise: (4, 3, 2 k, 2 k) covariance of the errors, m^2, north and east at each time in turn,
-    per squared unit of each kind of noise (`noise_weights`) of each gyro;
-    alignment: the alignment, for its second-order error.
+    Attributes:
+        name: name of the mission.
+        time: (k,) s since alignment.
+        maps: (k, 2, COUNT, 3) m per coefficient of `signals` of the gyro along each body axis,
+            whose pattern starts at angle 0.
+        drift: (k, 2, pattern_drift.COUNT, 3) m per product of `pattern_drift`.
+        accelerometers: (k, 2, 3) m per m/s^2 of bias.
+        mounting: (k, 2, 2, 3) m per rad by which the input axis along each body axis leans towards
+            the next body axis, and towards the one after.
+        noise: (4, 3, 2 k, 2 k) covariance of the errors, m^2, north and east at each time in turn,
+            per squared unit of each kind of noise (`noise_weights`) of each gyro.
+        alignment: the alignment, for its second-order error.
     """
 
     name: str

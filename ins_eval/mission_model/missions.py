@@ -28,10 +28,11 @@ LONGEST_HOURS = 10.0
 class StudyMission:
     """A mission that is flown from power-on to its end.
 
-    name: the name in reports;
-    source: name of a ready mission, or a file;
-    hours: duration of the navigation;
-    interval: time between the instants at which position errors are kept, s.
+    Attributes:
+        name: the name in reports.
+        source: name of a ready mission, or a file.
+        hours: duration of the navigation.
+        interval: time between the instants at which position errors are kept, s.
     """
 
     name: str

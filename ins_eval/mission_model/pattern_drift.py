@@ -34,7 +34,9 @@ STEP = 1.0
 class TurningIntegrals:
     """Integrals over time since power-on of `TURNING_TERMS`, for patterns that start at angle 0.
 
-    time: (n,) s; integrals: (n, TURNING_TERMS, 3) s.
+    Attributes:
+        time: (n,) s.
+        integrals: (n, TURNING_TERMS, 3) s.
     """
 
     time: Array

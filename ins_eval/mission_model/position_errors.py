@@ -73,15 +73,16 @@ class TriadBlock:
 class PositionErrors:
     """Error north and east, m, of r triads at k times; each part is (r, k, 2), and they add up.
 
-    map: made by the gyros' maps as they are at power-on;
-    warming: made by the change of the maps while the gyros warm;
-    environment: made by the maps' sensitivity to specific force, heating of the case and fast
-    turning;
-    drift: made by the patterns' own drift (`pattern_drift`);
-    accelerometers: made by accelerometer biases;
-    mounting: made by input axes that are not where the navigator believes them;
-    noise: made by the gyros' noise;
-    alignment: second-order error of the alignment (`alignment_at_rest`).
+    Attributes:
+        map: error by the gyros' maps as they are at power-on.
+        warming: error by the change of the maps while the gyros warm.
+        environment: error by the maps' sensitivity to specific force, heating of the case and fast
+            turning.
+        drift: error by the patterns' own drift (`pattern_drift`).
+        accelerometers: error by accelerometer biases.
+        mounting: error by input axes that lean from where the navigator assumes them.
+        noise: error by the gyros' noise.
+        alignment: second-order error of the alignment (`alignment_at_rest`).
     """
 
     map: Array

@@ -23,11 +23,12 @@ SAMPLES_PER_STEP = (2, 3, 4)
 class StepCoefficients(NamedTuple):
     """Factors of the products of a step's increments alpha_i (rotation) and beta_j (velocity).
 
-    turning: (n, n), antisymmetric: factors K_ij of alpha_i x alpha_j, i < j, in the rotation vector
-        (coning) and of alpha_i x beta_j in the velocity change (sculling; the same numbers: Roscoe
-        2001).
-    scrolling: (n, n): factors S_ij of alpha_i x beta_j in the mean of the velocity change.
-    mean: (n,): factors m_j of beta_j in the mean of the velocity change.
+    Attributes:
+        turning: (n, n), antisymmetric: factors K_ij of alpha_i x alpha_j, i < j, in the rotation
+            vector (coning) and of alpha_i x beta_j in the velocity change (sculling; the same
+            numbers: Roscoe 2001).
+        scrolling: (n, n): factors S_ij of alpha_i x beta_j in the mean of the velocity change.
+        mean: (n,): factors m_j of beta_j in the mean of the velocity change.
     """
 
     turning: Array

@@ -15,10 +15,12 @@ Gains = tuple[float, float, float]
 class VerticalChannel(NamedTuple):
     """Height aiding in the form that the compiled navigator takes.
 
-    clamped: whether height and vertical velocity are those of the reference; otherwise they are
-    integrated and corrected by feedback of their difference from it.
-    height: (m + 1,) reference at the bounds of the m steps, m; climb: (m + 1,) its rate, m/s.
-    gains: feedback to height, velocity and integral, 1/s, 1/s^2, 1/s^3.
+    Attributes:
+        clamped: whether height and vertical velocity are those of the reference; otherwise they are
+            integrated and corrected by feedback of their difference from it.
+        height: (m + 1,) reference at the bounds of the m steps, m.
+        climb: (m + 1,) its rate, m/s.
+        gains: feedback to height, velocity and integral, 1/s, 1/s^2, 1/s^3.
     """
 
     clamped: bool
@@ -55,8 +57,9 @@ class Clamped:
 class BaroDamped:
     """Height is corrected by a barometer through a third-order loop (Siouris 1993, section 4.5).
 
-    heights: (n + 1,) barometric heights at the bounds of the n intervals, m;
-    time_constant: of the loop's triple pole, s; the default is chosen.
+    Attributes:
+        heights: (n + 1,) barometric heights at the bounds of the n intervals, m.
+        time_constant: time constant of the loop's triple pole, s; the default is chosen.
     """
 
     heights: Array

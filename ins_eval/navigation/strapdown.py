@@ -28,12 +28,12 @@ def navigate(
 
     Args:
         start: state at the beginning of the first increment.
-        increments: of the IMU; their number is a multiple of `samples`.
+        increments: output of the IMU; their number is a multiple of `samples`.
         height: height aiding: `Free()`, `Clamped(heights)` or `BaroDamped(heights)`.
         keep_every: increments between rows of the result, a multiple of `samples`.
         samples: increments a step, 2 to 4.
-        deflection: of the vertical that the navigator believes, north and east, rad; none by
-            default, whatever the truth has.
+        deflection: deflection of the vertical that the navigator assumes, north and east, rad; by
+            default none, whatever the truth has.
 
     Raises:
         HrgError: `samples` out of range; heights of the wrong number or not finite.

@@ -1,10 +1,10 @@
 """A gyro with its maker's maps: parked by them, and corrected by them, in the cases that are
 compared.
 
-Where to park: pattern angles at which a bias map leaves least error while the pattern creeps. A
-level gyro's pattern goes away from where it was parked by what the gyro measures: Earth's rate, the
-vehicle's curvature, pitch and roll. So it is the map within that reach that counts, to both sides,
-for the heading is not known at power-on.
+A pattern is parked at an angle where a bias map leaves least error while the pattern creeps. A
+level gyro's pattern creeps by the rotation that the gyro measures: Earth's rate, the vehicle's
+curvature, pitch and roll. The heading is not known at power-on, so the map counts within that reach
+to both sides.
 """
 
 from collections.abc import Callable
@@ -34,7 +34,7 @@ class Start(Enum):
 
 
 class Known(Enum):
-    """What is taken out of the output."""
+    """Part of the error map that is known and taken out of the output."""
 
     MEAN = "the map's mean"
     AT_START = "of level gyros the map's value where the pattern stands when alignment begins"
@@ -43,7 +43,15 @@ class Known(Enum):
 
 @dataclass(frozen=True)
 class Case:
-    """name: in files; label: in words. The vertical gyro starts as it comes in all of them."""
+    """What is compared: where the level gyros' patterns start, and what is taken out of the
+    outputs. The vertical gyro starts at its own angle in all cases.
+
+    Attributes:
+        name: name in files.
+        label: name in reports.
+        start: start angle of the level gyros' patterns.
+        known: what is taken out of the output.
+    """
 
     name: str
     label: str
@@ -107,8 +115,10 @@ ANGLES = {Start.ZERO: find_flattest_zero, Start.FLAT: find_flattest_extreme}
 class MappedGyro:
     """A gyro with its maker's maps.
 
-    bench: with the gyro on it; bias_map: as the maker measured it; calibrated: the gyro with the
-    measured maps in its electronics.
+    Attributes:
+        bench: the bench that the gyro is on.
+        bias_map: bias map that the maker measured.
+        calibrated: the gyro with the measured maps in its electronics.
     """
 
     bench: Bench

@@ -1,7 +1,8 @@
-"""One vehicle's mission: power-on and alignment at rest, then dead reckoning, against the truth.
+"""One vehicle's mission: power-on and alignment at rest, then dead reckoning, compared with the
+truth.
 
-Five minutes from power-on to the end of alignment (paper, 2.3). The gyros' own start-up lies within
-them: alignment uses the record from the moment on at which the last gyro is ready.
+Five minutes pass from power-on to the end of alignment (paper, 2.3), the gyros' start-up included.
+Alignment uses the record from the moment at which the last gyro is ready.
 """
 
 from dataclasses import dataclass

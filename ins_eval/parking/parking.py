@@ -1,4 +1,5 @@
-"""The front door of parking: what it is worth to start level gyros' patterns at chosen angles."""
+"""The front door of parking: the position error of level gyros whose patterns start at chosen
+angles."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -24,13 +25,13 @@ MARGIN = 10.0
 
 
 class ParkingComparison(Comparison):
-    """Triads flown with parked patterns and without, with their summary and figure."""
+    """Flights of the same triads with parked patterns and without."""
 
     __repr__ = describe_briefly
 
     @property
     def summary(self) -> str:
-        """Position errors by case, and what start-up costs, in words."""
+        """Position errors by case, and the cost of start-up, as text."""
         return report.summarize(self)
 
     @property
@@ -39,7 +40,7 @@ class ParkingComparison(Comparison):
         return report.FILES
 
     def plot(self) -> Figure:
-        """Growth of the position error by case, and ratios to the first case."""
+        """Draw the growth of the position error by case, and ratios to the first case."""
         return plot_comparison(self)
 
     def write(self, folder: Path | str) -> None:
@@ -61,15 +62,15 @@ def compare_parking(
     workers: int | None = None,
     progress: Callable[[int, int], None] | None = None,
 ) -> ParkingComparison:
-    """Triads flown with their level gyros' patterns parked, and not.
+    """Fly triads with the level gyros' patterns parked where their bias is known, and without.
 
     Args:
         trajectory: ready mission, mission file (TOML) or recorded drive.
         hours: mission length, in whole minutes, up to 24.
         triads: number of triads, at least 6.
-        seed: of everything random; the same result on any number of workers.
-        workers: threads; as many as this process has cores if None.
-        progress: is called with the gyro minutes done and those of all.
+        seed: seed of all random numbers; the same result on any number of workers.
+        workers: number of threads; as many as this process has cores if None.
+        progress: function that is called with the gyro minutes done and those of all.
 
     Raises:
         HrgError: an argument out of range, or a trajectory that can't be flown.

@@ -1,4 +1,4 @@
-"""The experiment: triads flown with their level gyros' patterns parked, and not."""
+"""The experiment: triads are flown with their level gyros' patterns parked, and without."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, fields

@@ -30,9 +30,11 @@ RUNNING = 60.0
 class TriadFlights:
     """One triad in each of `CASES`.
 
-    radial: (cases, m) position error, m; heading: (cases,) error of alignment, rad; ready:
-    (cases,) when the last gyro was ready, s since power-on; start_up: (records,) heading error,
-    rad, with maps, by what alignment uses (`RECORDS`).
+    Attributes:
+        radial: (cases, m) position error, m.
+        heading: (cases,) error of alignment, rad.
+        ready: (cases,) when the last gyro was ready, s since power-on.
+        start_up: (records,) heading error, rad, with maps, by what alignment uses (`RECORDS`).
     """
 
     radial: Array

@@ -1,1 +1,1 @@
-"""Position error of a navigator that the gap between a simulated and a real gyro is worth."""
+"""The gap between a simulated and a real gyro as a position error of a navigator."""

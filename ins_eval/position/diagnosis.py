@@ -15,7 +15,9 @@ from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 class HeldOutResidual:
     """Residual rate over 100 s on held-out tests, after closing, rad/s.
 
-    rms: its rms; floor_low, floor_high: 95 % interval of the rms that noise alone would leave.
+    Attributes:
+        rms: rms of the residual rate.
+        floor_low, floor_high: 95 % interval of the rms that noise alone would leave.
     """
 
     rms: float
@@ -33,10 +35,12 @@ class HeldOutResidual:
 class DiagnosedGyro:
     """A gyro before and after the diagnosis.
 
-    device: its name; verdict: the diagnosis's verdict;
-    equivalents: effects that are confounded with the causes in the campaign's tests;
-    nominal, identified: the device without and with the causes;
-    residual: residual rate of held-out tests; None without such tests.
+    Attributes:
+        device: name of the gyro.
+        verdict: the diagnosis's verdict.
+        equivalents: effects that are confounded with the causes in the campaign's tests.
+        nominal, identified: the device without and with the causes.
+        residual: residual rate of held-out tests; None without such tests.
     """
 
     device: str

@@ -39,18 +39,18 @@ UNITS = {
 
 
 class PositionGap(MissionGaps):
-    """Distance between the positions of the nominal and the identified device, in missions."""
+    """Distance between the positions of the nominal and of the identified device, by mission."""
 
     __repr__ = describe_briefly
 
     @property
     def table(self) -> pd.DataFrame:
-        """One row a mission, at its end.
+        """One row a mission, at its end. `attrs["units"]` has the units.
 
-        Columns: mission; time_h since alignment; missed_m, the horizontal distance between the
-        two devices' positions, rms over triads, m; low_95, high_95, its 95 % interval, m;
-        residual_steady_m, residual_at_most_m, bounds of the position error that the residual of
-        held-out tests could cause, m, NaN without such tests. `attrs["units"]` has the units.
+        Columns: `mission`; `time_h` since alignment; `missed_m`, horizontal distance between the
+        two devices' positions, rms over triads; `low_95`, `high_95`, its 95 % interval;
+        `residual_steady_m`, `residual_at_most_m`, bounds of the position error that the residual of
+        held-out tests could cause, NaN without such tests.
         """
         table = pd.DataFrame([_make_row(m) for m in self.missions], columns=["mission", *UNITS])
         table = table.astype(dict.fromkeys(UNITS, float))
@@ -59,7 +59,7 @@ class PositionGap(MissionGaps):
 
     @property
     def sentences(self) -> list[str]:
-        """The result, how it was computed, and its reservations."""
+        """The result, its method and its reservations, a sentence each."""
         return write_sentences(self)
 
     @property
@@ -86,22 +86,22 @@ def compute_position_gap(
     seed: int = 1,
     progress: Show = None,
 ) -> PositionGap:
-    """How far the nominal device's position is from the identified device's.
+    """Compute how far the identified device's position is from the nominal device's, in missions.
 
-    Triads of either device are flown by the linear error model (docs/methods/mission_model.md);
-    two of them are co-simulated as a check.
+    Triads of either device are flown by the linear error model (docs/methods/mission_model.md); two
+    of them are co-simulated as a check.
 
     Args:
         diagnosis: folder that `hrg gap diagnose` wrote.
         missions: ready missions, mission files (TOML) or recorded drives.
         hours: duration of the navigation, up to 10; a mission that is shorter ends at its end.
         triads: number of triads, 10 to 10,000.
-        seed: of the power-on angles and of the bootstrap intervals.
-        progress: True for lines on standard error, or a function that is called with them.
+        seed: seed of the power-on angles and of the bootstrap intervals.
+        progress: True prints lines on standard error; a function is called with them.
 
     Raises:
-        HrgError: an argument out of range, a folder without a diagnosis, no such mission, or
-            device values that the FMU refuses.
+        HrgError: an argument out of range, a folder without a diagnosis, no such mission, or device
+            values that the FMU refuses.
     """
     sources = (missions,) if isinstance(missions, str | Path) else tuple(missions)
     if not sources:

@@ -1,4 +1,4 @@
-"""How far the nominal device's position is from the identified device's, in missions."""
+"""Distance between the positions of the nominal and of the identified device, in missions."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -40,8 +40,11 @@ immaterial. Chosen."""
 class PositionRequest:
     """What is computed.
 
-    missions: names of ready missions, or files; hours: duration of the navigation;
-    triads: number of triads; seed: of their power-on angles and of the bootstrap intervals.
+    Attributes:
+        missions: names of ready missions, or files.
+        hours: duration of the navigation.
+        triads: number of triads.
+        seed: seed of the power-on angles and of the bootstrap intervals.
     """
 
     missions: Sequence[str | Path]
@@ -55,11 +58,13 @@ class MissionGap:
     """Distance between the positions of the nominal and the identified device in a mission,
     horizontal, m.
 
-    time: (k,) s since alignment; distance: (k,) its rms over triads;
-    at_end: the same at the mission's end, with its interval;
-    nominal_budget, identified_budget: rms error of each device at the end, by named part;
-    residual_bound: position error that the residual of held-out tests could cause; None without
-    such tests.
+    Attributes:
+        time: (k,) s since alignment.
+        distance: (k,) its rms over triads.
+        at_end: that rms at the mission's end, with its interval.
+        nominal_budget, identified_budget: rms error of each device at the end, by named part.
+        residual_bound: position error that the residual of held-out tests could cause; None without
+            such tests.
     """
 
     name: str
@@ -75,8 +80,9 @@ class MissionGap:
 class MissionGaps:
     """The distance in every mission that was asked for.
 
-    cosimulation: the distance by the linear model compared with that by co-simulation, in the
-    first mission; None where the distance is shorter than `MIN_CHECKED_DISTANCE`.
+    Attributes:
+        cosimulation: the distance by the linear model compared with that by co-simulation, in the
+            first mission; None where the distance is shorter than `MIN_CHECKED_DISTANCE`.
     """
 
     request: PositionRequest

@@ -30,8 +30,9 @@ resonator follows. Chosen."""
 class Gyro:
     """A device that warms by `CASE_RISE` in flight.
 
-    coefficients: (signals.COUNT,) coefficients of its maps over the pattern angle itself;
-    noise: (4,) its noise coefficients, SI, in the order of `COEFFICIENT_NAMES`.
+    Attributes:
+        coefficients: (signals.COUNT,) coefficients of its maps over the pattern angle itself.
+        noise: (4,) its noise coefficients, SI, in the order of `COEFFICIENT_NAMES`.
     """
 
     device: Device
@@ -118,8 +119,9 @@ class ResidualBound:
     """Largest horizontal error at a mission's end, m, of three gyros whose rate errors have the
     same rms.
 
-    steady: with rate errors that are constant, over all combinations of signs;
-    any_course: with rate errors that vary in time in any way.
+    Attributes:
+        steady: bound for constant rate errors, over all combinations of signs.
+        any_course: bound for rate errors that vary in time in any way.
     """
 
     steady: float

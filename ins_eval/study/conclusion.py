@@ -1,4 +1,4 @@
-"""The files of a study, from the results of all its triads: table, scores, report.
+"""Files of a study, from the results of all its triads: table, scores, report.
 
 Among the scores is how far the linear model is from samples that are co-simulated without noise.
 """

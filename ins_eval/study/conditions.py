@@ -1,4 +1,4 @@
-"""Conditions in which the thesis is not expected to hold; they are scored apart from the classes.
+"""Conditions in which the claims are not expected to hold; they are scored apart from the classes.
 
 The gyros are the study's own, calibrated at the mean. The predictors are those of the study, made
 on its training triads; they do not know the condition.
@@ -41,7 +41,8 @@ LEVEL_FLIGHT_HOURS = 1.0
 class DriveNoise(Population):
     """Well-trimmed gyros with noisy drives.
 
-    smallest_walk, largest_walk: bounds of the angle random walk, log-uniform, rad/sqrt(s).
+    Attributes:
+        smallest_walk, largest_walk: bounds of the angle random walk, log-uniform, rad/sqrt(s).
     """
 
     smallest_walk: float
@@ -67,8 +68,11 @@ NOISY_DRIVES = DriveNoise(
 class ConditionSample:
     """Triads of the study that fly in the conditions.
 
-    drawn: the triads by number; triads: the same as arrays; distribution: what they are drawn
-    from; fmu: `HRGSlow`.
+    Attributes:
+        drawn: the triads by number.
+        triads: the drawn triads as arrays.
+        distribution: what they are drawn from.
+        fmu: `HRGSlow`.
     """
 
     study: Study
@@ -82,9 +86,12 @@ class ConditionSample:
 class Condition:
     """A condition.
 
-    title: its mission class in the results; what: a sentence that says what differs; mission: name
-    of a ready mission; hours: its duration, None for the study's; triads: makes the triads that fly
-    from those of the study.
+    Attributes:
+        title: mission class of the condition in the results.
+        what: sentence that says what differs.
+        mission: name of a ready mission.
+        hours: duration of the mission, h; None for the study's.
+        triads: function that makes the condition's triads from those of the study.
     """
 
     title: str

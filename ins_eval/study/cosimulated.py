@@ -37,7 +37,10 @@ NOISE_IN_FLIGHT = 1
 class Agreement:
     """Linear and nonlinear position error compared, rms over triads and times, m.
 
-    triads: number of triads; flown: rms of the nonlinear error; difference: rms of the difference.
+    Attributes:
+        triads: number of triads.
+        flown: rms of the nonlinear error.
+        difference: rms of the difference.
     """
 
     triads: int
@@ -54,11 +57,14 @@ class Agreement:
 class MissionTruth:
     """A mission as the co-simulation needs it: all that its triads share.
 
-    increments: true increments from power-on; forces: (3, n, 3) mean specific force along the axes
-    of each gyro's case, m/s^2, without the lean of its input axis: 10 arcsec of it change a bias of
-    4e-4 deg/h per g by 2e-8 deg/h; start: true state after the alignment; height: (n,) true heights
-    for the vertical channel, m; position: (k, 3) true positions at the kept times; kept: number of
-    increments between these.
+    Attributes:
+        increments: true increments from power-on.
+        forces: (3, n, 3) mean specific force along the axes of each gyro's case, m/s^2, without the
+            lean of its input axis: 10 arcsec of it change a bias of 4e-4 deg/h per g by 2e-8 deg/h.
+        start: true state after the alignment.
+        height: (n,) true heights for the vertical channel, m.
+        position: (k, 3) true positions at the kept times.
+        kept: number of increments between these.
     """
 
     increments: Increments

@@ -267,7 +267,7 @@ def _witness(
     study: Study, method: Method, number: int, triads: range, believed: Witnessed,
     weights: MissionWeights,
 ) -> dict[str, NDArray[Any]]:  # fmt: skip
-    """What the channels tell in a mission of the study."""
+    """Estimates from the channels in a mission of the study."""
     if not study.witnessed:
         return {}
     flown = study.missions[number]

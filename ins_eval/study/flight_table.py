@@ -48,7 +48,9 @@ Ratios = Mapping[str, Array]
 class Training:
     """What the training triads of a calibration teach.
 
-    model: of the drift of maps; ratios: of each mission class.
+    Attributes:
+        model: model of the drift of maps.
+        ratios: ratios of error and rule, for each mission class.
     """
 
     model: TrainedModel

@@ -1,5 +1,5 @@
-"""The phase diagram: map over noise against turning, and where each bench test tells the truth:
-shares of flights whose error it predicts within a factor (study_predictors.md, Eq. 16).
+"""The phase diagram: share of flights whose error each bench test predicts within a factor, over
+the ratio of map and noise and over the rate of turning (study_predictors.md, Eq. 16).
 
 The training triads fly from many start angles by the linear model, on a turntable that turns
 steadily in heading for an hour. Their maps are scaled to each ratio of map and noise. Only the map
@@ -43,9 +43,10 @@ DURATION = HOUR
 class TurningWeights:
     """Position error at the end per unit of each gyro error.
 
-    maps: (1, 2, 2 TERMS, 3) m per coefficient of a map that starts at angle 0, as
-    `MissionWeights.gyros`; noise: (KINDS, 3, 2, 2) covariance, m^2, per squared unit of each kind
-    of each gyro's noise.
+    Attributes:
+        maps: (1, 2, 2 TERMS, 3) m per coefficient of a map that starts at angle 0, as
+            `MissionWeights.gyros`.
+        noise: (KINDS, 3, 2, 2) covariance, m^2, per squared unit of each kind of each gyro's noise.
     """
 
     maps: Array
@@ -118,10 +119,13 @@ COLUMNS = ("turning_rev_per_h", "map_over_noise", "test", "share", "low", "high"
 class _Gyros:
     """Figures of r triads.
 
-    maps: (r, 2 TERMS, 3) true coefficients; drifting, missed: (r, 2 TERMS, 3) standard deviations
-    of their drift, which grows with the map, and of the bench's error, which does not; noise:
-    (r, KINDS, 3) strengths; stability: (r,) at the fixed position, rad/s; size: (r,) rms of the
-    bias map, rad/s.
+    Attributes:
+        maps: (r, 2 TERMS, 3) true coefficients.
+        drifting, missed: (r, 2 TERMS, 3) standard deviations of their drift, which grows with the
+            map, and of the bench's error, which does not.
+        noise: (r, KINDS, 3) strengths.
+        stability: (r,) at the fixed position, rad/s.
+        size: (r,) rms of the bias map, rad/s.
     """
 
     maps: Array
@@ -157,7 +161,7 @@ def compute_phase_diagram(training: TriadBlock, drift: MapDrift, seed: int) -> l
 
 
 def compute_turning(mission: StudyMission) -> float:
-    """Turns of the pattern that turns most in a mission, back and forth alike, revolutions per
+    """Turns of the pattern that turns most in a mission, in both directions, revolutions per
     hour."""
     seconds = round(mission.hours * HOUR)
     rotation = mission.trajectory().increments(0.0, 1.0, seconds).rotation

@@ -25,7 +25,9 @@ from pyhrg.common.errors import HrgError, describe_briefly
 class StudyResult:
     """A finished study.
 
-    folder: folder of its files; files: their names.
+    Attributes:
+        folder: folder of its files.
+        files: names of the files.
     """
 
     folder: Path
@@ -39,8 +41,8 @@ class StudyResult:
 
     @property
     def table(self) -> pd.DataFrame:
-        """A row for each triad, calibration and mission, those of the conditions included; units by
-        column in `attrs["units"]`."""
+        """A row for each triad, calibration and mission, the conditions' rows included.
+        `attrs["units"]` has the unit of each column."""
         parts = [self._data.table]
         if self._data.conditions:
             parts.append(self._data.conditions.table)
@@ -61,11 +63,12 @@ class StudyResult:
 
     @property
     def summary(self) -> str:
-        """The lead case, predicted and flown errors of each mission, and the verdict, in words."""
+        """The paper's gyro, predicted and flown errors of each mission, and the verdict, as
+        text."""
         return summarize(self._data)
 
     def plot(self, ax: Axes | None = None, calibration: str | None = None) -> Axes:
-        """Flown against predicted error of the judged triads, on logarithmic axes in nmi.
+        """Draw flown against predicted error of the judged triads, on logarithmic axes in nmi.
 
         Args:
             ax: axes to draw on; new ones if None.
@@ -94,7 +97,7 @@ def run_study(
     scheduler: str | None = None,
     progress: Progress | None = None,
 ) -> StudyResult:
-    """Run a study, or the part of it that is not done, and read its result.
+    """Run a study, or its unfinished part, and return its result.
 
     Finished blocks of triads are kept in `out`, so that the same call continues an interrupted
     study. The result does not depend on the number of workers.
@@ -105,7 +108,7 @@ def run_study(
         seed: seed instead of the study's.
         workers: number of processes on this machine; all cores if None.
         scheduler: address of a Dask scheduler, instead of processes on this machine.
-        progress: is called with the number of finished triads and the number of all.
+        progress: function that is called with the number of finished triads and the number of all.
 
     Raises:
         HrgError: the study's file can't be used; `out` holds something else; an argument is out of

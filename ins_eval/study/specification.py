@@ -57,7 +57,7 @@ class Study(Checked):
     """A study, as `load_study` reads it.
 
     Attributes:
-        seed: seed of everything random.
+        seed: seed of all random numbers.
         triads: number of triads that are benched.
         training: number of the first of them, which are flown by the linear model and on which
             predictors are made; the others are co-simulated and judged.

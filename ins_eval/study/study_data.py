@@ -37,8 +37,11 @@ KINDS = {"int": "iu", "number": "f", "text": "OUT", "numbers": "O"}
 class StudyData:
     """Flights and scores of a study.
 
-    table: rows of study.parquet; scores: their scores; about: facts of study.json, such as seed and
-    triads; conditions: flights and scores of the conditions, which are in neither of the others.
+    Attributes:
+        table: rows of study.parquet.
+        scores: scores of the flights.
+        about: facts of study.json, such as seed and triads.
+        conditions: flights and scores of the conditions, which are in neither of the others.
     """
 
     table: pd.DataFrame

@@ -96,7 +96,7 @@ MISSION_KEYS = ("name", "file", "recorded", "class", "hours")
 
 
 def load_study(name_or_path: str | Path, seed: int | None = None) -> Study:
-    """A study that comes with the package, or that of a file.
+    """Load a study that comes with the package, or one from a file.
 
     Args:
         name_or_path: one of `READY`, or a file (TOML).

@@ -48,18 +48,18 @@ def write_system(
     ssp: str = "1.0",
     progress: Callable[[str], None] = lambda text: None,
 ) -> Path:
-    """Write an inertial navigation system as an SSP: the flight of `ins_eval.fly` with the same
-    options, started from the truth, but for the noise of the accelerometers.
+    """Write an inertial navigation system as an SSP. It is the flight of `ins_eval.fly` with the
+    same options, started from the truth, without the noise of the accelerometers.
 
     Args:
         out: file to write.
         trajectory: ready mission, mission file (TOML) or recorded drive.
         imu: an IMU with gyros of a device, a ready one's name or its file.
-        hours, rate_hz, height, seed: as of `ins_eval.fly`; the system is to be run in communication
-            steps of one interval.
-        platforms: keys of `PLATFORMS` of FMI 2.0, "all", or none for this machine's.
+        hours, rate_hz, height, seed: as in `ins_eval.fly`. Run the system in communication steps of
+            one interval.
+        platforms: keys of `PLATFORMS` of FMI 2.0, or "all"; by default this machine's.
         ssp: version of the standard that is declared, 1.0 or 2.0.
-        progress: is called with each step's name.
+        progress: function that is called with the name of each step.
 
     Raises:
         HrgError: an argument out of range, or a file that can't be used.

@@ -20,8 +20,10 @@ Values = dict[str, float]
 class Unit:
     """One IMU, drawn at random: that of `Imu.measure` for the same seed.
 
-    gyros: parameters of the three gyros; calibrated_bias: (3,) that the navigator subtracts, rad/s;
-    accelerometers: their parameters.
+    Attributes:
+        gyros: parameters of the three gyros.
+        calibrated_bias: (3,) that the navigator subtracts, rad/s.
+        accelerometers: parameters of the accelerometers.
     """
 
     gyros: tuple[Values, Values, Values]

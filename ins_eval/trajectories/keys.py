@@ -1,4 +1,4 @@
-"""Fields of missions and manoeuvres: SI inside, a unit in the key outside, a range."""
+"""Fields of missions and manoeuvres: SI inside; in files a unit in the key, and a range."""
 
 import sys
 from collections.abc import Callable, Iterator
@@ -18,9 +18,11 @@ UNITS = {"arcsec": ARCSEC, "deg": DEG, "deg_s": DEG, "m": 1.0, "m_s": 1.0, "s": 
 class Kind:
     """The values that a field takes.
 
-    expected: what they are, in words; holds: whether a file's value is one of them; unit: of a
-    quantity in a file, a key of `UNITS`; None of other values, which are the same in files and
-    inside.
+    Attributes:
+        expected: what they are, in words.
+        holds: whether a file's value is one of them.
+        unit: of a quantity in a file, a key of `UNITS`; None of other values, which are the same in
+            files and inside.
     """
 
     expected: str

@@ -24,9 +24,13 @@ _CHUNK = 20_000
 class Trajectory:
     """Motion of a vehicle between the times `start` and `end`, s, of its first and last knot.
 
-    time: (n,) of the knots, s; channels: (n, 6) latitude, longitude, rad, height, m, roll, pitch,
-    yaw, rad, at the knots, without jumps of a turn; deflection: of the vertical along all of it,
-    north and east, rad; remark: what a user should know of how it was made.
+    Args:
+        name: name in reports.
+        time: (n,) times of the knots, s.
+        channels: (n, 6) latitude, longitude, rad, height, m, roll, pitch, yaw, rad, at the knots,
+            without jumps of a turn.
+        deflection: deflection of the vertical along all of it, north and east, rad.
+        remark: what a user should know of how it was made.
     """
 
     def __init__(

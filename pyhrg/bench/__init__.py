@@ -1,1 +1,2 @@
-"""The test bench: procedures that record on the simulated gyro and evaluate records of any gyro."""
+"""The test bench: procedures that make records on the simulated gyro and evaluate records of any
+gyro."""

@@ -41,11 +41,12 @@ NAMELESS = "gyro without a name"
 class PowerOn:
     """A power-on to be simulated.
 
-    id: of the test in the campaign. The power-on's seed follows from it and the bench's, so that a
-        procedure gives the same numbers alone and among others.
-    kind: of the test in the campaign.
-    programme: what the bench does to the gyro.
-    start_angle: pattern angle at power-on, rad; drawn from the device's scatter if None.
+    Attributes:
+        id: name of the test in the campaign. The power-on's seed follows from it and the bench's
+            seed, so that a procedure gives the same numbers alone and among others.
+        kind: kind of the test in the campaign.
+        programme: what the bench does to the gyro, row by row.
+        start_angle: pattern angle at power-on, rad; drawn from the device's scatter if None.
     """
 
     id: str
@@ -58,11 +59,12 @@ class PowerOn:
 class Bench:
     """A simulated gyro on a turntable.
 
-    seed: of all noise and of turn-on to turn-on scatter.
-    step: communication step, s; rows of a programme are multiples of it.
-    workers: power-ons that are simulated at the same time.
-    store: keeps logs to resume from; None keeps none.
-    on_power_on: called with the gyro time, s, of each power-on when it is over.
+    Attributes:
+        seed: seed of all noise and of turn-on to turn-on scatter.
+        step: communication step, s; rows of a programme are multiples of it.
+        workers: power-ons that are simulated at the same time.
+        store: keeps logs to resume from; None keeps none.
+        on_power_on: called with the gyro time, s, of each power-on when it is over.
     """
 
     fmu: GyroFmu

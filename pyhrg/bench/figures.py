@@ -1,4 +1,4 @@
-"""What the figures of all tests have in common."""
+"""Parts that the figures of all tests share."""
 
 from collections.abc import Callable
 from typing import Any, Literal, cast

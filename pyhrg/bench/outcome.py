@@ -48,12 +48,16 @@ class BenchError(HrgError):
 class Finding:
     """One figure of a test; `value` and `interval` are in its unit.
 
-    name: the standard term, in lower case ("bias stability").
-    si_value: SI; NaN where the records can't give it, and `note` says why.
-    unit: that the figure is printed in, a key of `UNITS`.
-    si_low, si_high: bounds of the 95 % interval, SI; NaN where there is none, and `note` says why.
-    n: size of the sample that the interval is computed from.
-    at_least: True where a specification limits the figure from below, as a range or a bandwidth.
+    Attributes:
+        name: standard term, in lower case ("bias stability").
+        si_value: the figure, SI; NaN where the records can't give it, and `note` says why.
+        unit: unit in which the figure is printed, a key of `UNITS`.
+        si_low, si_high: bounds of the 95 % interval, SI; NaN where there is none, and `note` says
+            why.
+        n: size of the sample that the interval is computed from.
+        note: a remark; why there is no figure or no interval.
+        at_least: whether a specification limits the figure from below, such as a range or a
+            bandwidth.
     """
 
     name: str
@@ -86,16 +90,17 @@ class Finding:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a procedure gives for a campaign.
+    """Outcome of a procedure for a campaign.
 
-    findings: figures, each of another key.
-    verdict: what the findings mean, in a sentence or two.
-    tables: details, ready to be printed.
-    warnings: effects that the plan or the records can't show, a sentence each.
-    exclusions: rows and logs that were not used, and why, a sentence each.
-    draw: draws the test's figure into an empty one; None where the test has no figure.
-    values: further results for programs, SI, by name.
-    points: data points of the figure, units in `attrs["units"]`; empty where the test has none.
+    Attributes:
+        findings: figures, each with a key of its own.
+        verdict: meaning of the findings, in a sentence or two.
+        tables: details, ready to be printed.
+        warnings: effects that the plan or the records can't show, a sentence each.
+        exclusions: rows and logs that were not used, and why, a sentence each.
+        draw: function that draws the test's figure into an empty one; None where the test has none.
+        values: further results for programs, SI, by name.
+        points: data points of the figure, units in `attrs["units"]`; empty where the test has none.
     """
 
     findings: tuple[Finding, ...]

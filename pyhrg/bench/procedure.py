@@ -13,8 +13,9 @@ from pyhrg.records.table import fold_absent_columns
 class Option:
     """A part of a procedure's plan that a user may change: a keyword argument of its `record`.
 
-    kind: of its value.
-    help: one line for the help of the command.
+    Attributes:
+        kind: type of the option's value.
+        help: line for the help of the command.
     """
 
     name: str
@@ -26,19 +27,20 @@ class Option:
 class Procedure:
     """One test of the bench.
 
-    name: by which users choose it.
-    group: heading in the list of tests.
-    title: what it measures.
-    source: where method and formulas come from.
-    kinds: kinds of campaign tests that it evaluates.
-    record: makes the test's power-ons on the virtual bench; takes the options as keywords.
-    evaluate: gives the outcome of a campaign that holds tests of these kinds; its exclusions are
-        those of this procedure, such as a turn that is too short.
-    model: model that the virtual bench simulates, a key of `fmu_build.roots.ROOTS`.
-    step: communication step of the simulation, s.
-    options: parts of the plan that a user may change.
-    export: gives the device as the test makes it (a calibrated one) from the campaign and the
-        device that was tested; None where the test makes none.
+    Attributes:
+        name: name by which users choose the test.
+        group: heading in the list of tests.
+        title: what the test measures.
+        source: reference for method and formulas.
+        kinds: kinds of campaign tests that it evaluates.
+        record: makes the test's power-ons on the virtual bench; takes the options as keywords.
+        evaluate: gives the outcome of a campaign that holds tests of these kinds; its exclusions
+            are those of this procedure, such as a turn that is too short.
+        model: model that the virtual bench simulates, a key of `fmu_build.roots.ROOTS`.
+        step: communication step of the simulation, s.
+        options: parts of the plan that a user may change.
+        export: gives the device as the test makes it (a calibrated one) from the campaign and the
+            device that was tested; None where the test makes none.
     """
 
     name: str

@@ -60,21 +60,21 @@ def run_test(
     progress: Show = None,
     **plan: float | None,
 ) -> TestResult:
-    """Result of one test of the bench.
+    """Run one test of the bench, on a simulated gyro or on records, and return its result.
 
     Args:
-        name: of the test, see `list_tests`.
+        name: name of the test, see `list_tests`.
         device: gyro to simulate: a device, the name of a ready one or a device file (TOML); the
             ready device `typical` if None.
         campaign: records to evaluate instead of a simulation: a campaign or its folder.
-        seed: of everything random in the simulation, 0 to 2^63 - 1; the same seed gives the same
-            bytes on any number of workers.
-        workers: power-ons that are simulated at the same time; all cores if None.
-        out: output folder; the test's folder and report.html, of all tests in the folder, are
-            written there. None writes nothing.
+        seed: seed of all random numbers of the simulation, 0 to 2^63 - 1; the same seed gives the
+            same bytes on any number of workers.
+        workers: number of power-ons that are simulated at the same time; all cores if None.
+        out: output folder for the test's own folder and `report.html`, which shows all tests in
+            `out`. None writes nothing.
         force: whether results of another device, seed or version in `out` may be replaced.
         progress: True shows a bar and lines on standard error; a function gets each line.
-        plan: changes the plan of the simulated test, see `list_tests`; None leaves the default.
+        plan: options of the test's plan, see `list_tests`; None leaves the default.
 
     Raises:
         HrgError: an argument that can't be used, or records that can't give the result; the message
@@ -106,16 +106,17 @@ def run_tests(
     progress: Show = None,
     **plan: float | None,
 ) -> BenchResults:
-    """Results of several tests of one gyro, and the paper's Table 1 from them.
+    """Run several tests of one gyro; the result has the paper's Table 1 as well.
 
     Args:
-        names: of the tests; None for all, with a campaign those that it has records for.
+        names: names of the tests. None runs all, or, with a campaign, those that it has records
+            for.
         device, campaign, seed, workers, out, force, progress: see `run_test`.
-        plan: see `run_test`; of a single test only.
+        plan: see `run_test`; allowed with a single test only.
 
     Raises:
-        HrgError: see `run_test`. Of several tests, one that gives no figures is listed as a failure
-            and the others go on; an error is raised when none gives figures.
+        HrgError: see `run_test`. If several tests run, a test without figures is listed as a
+            failure and the others go on; an error is raised when none gives figures.
         OSError: the output folder can't be written.
     """
     procedures = _choose_procedures(names)

@@ -33,15 +33,16 @@ DEFAULT_DEVICE = "typical"
 class Source:
     """Where the records of a run come from.
 
-    name: of the gyro.
-    subject: the gyro, and how its records come about; heads the report.
-    procedures: the tests that there are records for.
-    get_records: gives the campaign that a procedure evaluates.
-    device: the simulated gyro, or the nominal device of the campaign.
-    resumption: what happens when an interrupted run is started again.
-    seed: of the simulation; None where the records are not simulated.
-    limits: the specification's, by the findings' keys.
-    store: open during the run.
+    Attributes:
+        name: name of the gyro.
+        subject: the gyro, and where its records come from; heads the report.
+        procedures: tests that there are records for.
+        get_records: function that gives the campaign that a procedure evaluates.
+        device: the simulated gyro, or the nominal device of the campaign.
+        resumption: what happens when an interrupted run is started again.
+        seed: seed of the simulation; None where the records are not simulated.
+        limits: the specification's, by the findings' keys.
+        store: store of logs, open during the run.
     """
 
     name: str

@@ -37,10 +37,12 @@ STEPS = 100
 class Case:
     """One case. Its name does not depend on its kind.
 
-    strengths: range that strengths of effects are drawn from, sigmas.
-    without: effects that are removed from the diagnosis' catalogue; the true effect is one of them.
-    level: of `LEVELS`: how far nominal values and bench are off.
-    data: of `AMOUNTS`: how many tests there are, how long, and in which rows.
+    Attributes:
+        strengths: range that strengths of effects are drawn from, sigmas.
+        without: effects that are removed from the diagnosis' catalogue; the true effect is one of
+            them.
+        level: key of `LEVELS`: how far nominal values and bench are off.
+        data: key of `AMOUNTS`: how many tests there are, how long, and in which rows.
     """
 
     name: str

@@ -36,9 +36,8 @@ errors at once."""
 
 @dataclass(frozen=True)
 class Settings:
-    """The settings that determine a challenge: number of cases by kind, seed of everything, and
-    strength that effects are drawn up to, sigmas; level of realism, of `LEVELS`; amount of data, of
-    `AMOUNTS`."""
+    """Settings that determine a challenge: number of cases by kind, seed, largest strength of
+    effects (sigmas), level of realism (`LEVELS`) and amount of data (`AMOUNTS`)."""
 
     counts: Mapping[str, int]
     seed: int

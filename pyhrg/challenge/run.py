@@ -107,7 +107,7 @@ def run_challenge(
     progress: bool = False,
     diagnose: Diagnose | None = None,
 ) -> Score:
-    """Score of the diagnosis on campaigns whose truth is sealed.
+    """Score the diagnosis on campaigns whose truth is sealed (docs/methods/challenge.md).
 
     Args:
         out: folder; a challenge that was begun there is continued.
@@ -122,9 +122,9 @@ def run_challenge(
         level: "ideal", "good-lab" (nominal values and bench are off within their tolerances) or
             "rough-lab" (within three times that).
         data: "full", "few" (one or two kinds of tests), "short" (a tenth as long) or "coarse".
-        seed: of everything random; the same seed gives the same bytes on any number of workers.
+        seed: seed of all random numbers; the same seed gives the same bytes.
         others: folders of finished challenges of other seeds, scored together with this one.
-        workers: campaigns at a time; all cores if None.
+        workers: number of campaigns that are diagnosed at the same time; all cores if None.
         progress: True shows a bar on standard error.
         diagnose: diagnosis under challenge; this package's own if None.
 

@@ -24,7 +24,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     names = [procedure.name for procedure in PROCEDURES]
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.epilog = _list_tests(PROCEDURES)
-    parser.add_argument("test", metavar="TEST", choices=(*names, ALL), help="see below")
+    parser.add_argument(
+        "test", metavar="TEST", choices=(*names, ALL), help="name of the test; the list is below"
+    )
     source = parser.add_mutually_exclusive_group()
     source.add_argument(
         "--device",
@@ -38,10 +40,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help=f"evaluate recorded logs instead; with {ALL}, the tests that it has records for",
     )
     parser.add_argument(
-        "--seed", type=int, default=1, metavar="N", help="of everything random (default 1)"
+        "--seed", type=int, default=1, metavar="N", help="seed of all random numbers (default 1)"
     )
     parser.add_argument(
-        "--workers", type=int, metavar="N", help="power-ons at a time (default: all cores)"
+        "--workers",
+        type=int,
+        metavar="N",
+        help="power-ons simulated at the same time (default: all cores)",
     )
     parser.add_argument(
         "--out",

@@ -53,7 +53,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="full (default); few: one or two kinds of tests beside the held-out one; short: tests "
         "a tenth as long; coarse: rows of at least 1 s",
     )
-    parser.add_argument("--seed", type=int, metavar="N", help="of everything random (default 1)")
+    parser.add_argument(
+        "--seed", type=int, metavar="N", help="seed of all random numbers (default 1)"
+    )
     parser.add_argument(
         "--with",
         dest="others",

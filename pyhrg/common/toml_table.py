@@ -24,8 +24,10 @@ Chosen."""
 class TomlTable:
     """A table of a file, whose methods refuse a value that they can't take.
 
-    source: the file, for messages; prefix: what messages put before a key of this table, such as
-    `site.` or `mission 2: `; values: the table's content.
+    Attributes:
+        source: the file, for messages.
+        prefix: what messages put before a key of this table, such as `site.` or `mission 2: `.
+        values: the table's content.
     """
 
     source: str
@@ -168,9 +170,11 @@ def read_json_table(path: Path) -> TomlTable:
 class Key:
     """A number of a file: SI value = number * factor + offset.
 
-    name: key in the file, which ends in the unit; field: attribute of the dataclass that the number
-    fills, SI; low, high: smallest and largest number allowed, in the file's unit; whole: whether
-    the number counts something, without unit.
+    Attributes:
+        name: key in the file, which ends in the unit.
+        field: attribute of the dataclass that the number fills, SI.
+        low, high: smallest and largest number allowed, in the file's unit.
+        whole: whether the number counts something, without unit.
     """
 
     name: str

@@ -1,1 +1,1 @@
-"""The gyro as its maker would list it: parameters, files, ready devices."""
+"""The gyro as its maker would describe it: parameters, files, ready devices."""

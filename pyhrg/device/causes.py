@@ -1,4 +1,4 @@
-"""Errors that a device states, each with what is to be changed for a gyro without it."""
+"""Errors that a device states, each with the changes that remove it."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -19,8 +19,11 @@ TABLES = {
 class Cause:
     """One error of a gyro.
 
-    name: in the field's terms; keys: of a device file, those that state it; fields: of `Device`
-    that are ideal without it; model: parameters of the FMU that `Device.model` has not without it.
+    Attributes:
+        name: the field's term for the error.
+        keys: keys of a device file that state the error.
+        fields: fields of `Device` that are ideal without the error.
+        model: parameters of the FMU that `Device.model` has not without it.
     """
 
     name: str

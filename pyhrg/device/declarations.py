@@ -14,16 +14,18 @@ from typing import Literal
 
 @dataclass(frozen=True)
 class EffectDeclaration:
-    """The parameter is what may be wrong with a gyro: an effect that a diagnosis may name, or a
-    noise that it may find above its believed level.
+    """Declares that a parameter may be wrong: an effect that a diagnosis may name, or a noise that
+    may exceed its believed level.
 
-    name: in the record format.
-    scale: typical size in a trimmed gyro of this class, SI.
-    coordinates: in which the greatest share of the gap may lie, as the record format calls them.
-    position: place in the catalogue, which decides the order of sums; effects without one come
-        last, in the order of the fields.
-    angle: field of the angle that goes with a magnitude; empty if the parameter stands alone.
-    periods: of the effect while that angle makes a full turn.
+    Attributes:
+        name: name in the record format.
+        scale: typical size in a trimmed gyro of this class, SI.
+        coordinates: coordinates in which the greatest share of the gap may lie, by their names in
+            the record format.
+        position: place in the catalogue, which decides the order of sums; effects without one come
+            last, in the order of the fields.
+        angle: field of the angle that goes with a magnitude; empty if the parameter stands alone.
+        periods: number of periods of the effect while that angle makes a full turn.
     """
 
     name: str
@@ -40,16 +42,18 @@ Family = Literal["gyro", "nominal", "bench", "record"]
 
 @dataclass(frozen=True)
 class ToleranceDeclaration:
-    """The parameter is known from elsewhere within a tolerance: a nominal value, or the bench's.
+    """Declares that a parameter is known from elsewhere within a tolerance: a nominal value, or one
+    of the bench.
 
-    name: of the cause if it is off by more, in the record format.
-    family: see `Family`.
-    scale: typical size of a change of it, SI; a sensitivity is taken over a share of it
-        (docs/methods/effects.md, Eq. 1).
-    tolerance: one standard deviation of the true value about the stated one, SI.
-    relative_tolerance: the same over the stated value; the larger of the two holds.
-    angle, periods: see `EffectDeclaration`.
-    imitators: names of other errors of the bench that do the same to a gyro in every test.
+    Attributes:
+        name: name of the cause in the record format if the value is off by more.
+        family: see `Family`.
+        scale: typical size of a change of it, SI; a sensitivity is taken over a share of it
+            (docs/methods/effects.md, Eq. 1).
+        tolerance: one standard deviation of the true value about the stated one, SI.
+        relative_tolerance: the same over the stated value; the larger of the two holds.
+        angle, periods: see `EffectDeclaration`.
+        imitators: names of other errors of the bench that do the same to a gyro in every test.
     """
 
     name: str

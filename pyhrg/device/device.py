@@ -29,11 +29,11 @@ class AngleMap:
 
 @dataclass(frozen=True)
 class Device(LoopAndBenchParameters):
-    """One gyro, an ideal one by default. SI; angles are physical pattern angles; ratios are
-    electrical (modal axes). Temperatures count from `reference_temperature`.
+    """One gyro; by default an ideal one. SI; angles are physical pattern angles, ratios are
+    electrical (modal axes), temperatures count from `reference_temperature`.
 
-    The parameters that are one number each are declared in `pyhrg.device.parameters`. Symbols in
-    brackets are those of `pyhrg.theory`. `pyhrg.device.device_file` reads and writes a device.
+    `pyhrg.device.parameters` declares the parameters that are one number each. Symbols in brackets
+    are those of `pyhrg.theory`. `pyhrg.device.device_file` reads and writes a device.
     """
 
     name: str = ""
@@ -59,7 +59,7 @@ class Device(LoopAndBenchParameters):
     __repr__ = describe_briefly
 
     def fmu_values(self) -> dict[str, float]:
-        """All parameters of the FMU that a device has fields for, by the FMU's names, SI."""
+        """Values of all FMU parameters that a device has fields for, by the FMU's names, SI."""
         return {
             **compute_fmu_values(self),
             **{f"controller.biasMap.{name}": v for name, v in vars(self.bias_map).items()},
@@ -71,14 +71,16 @@ class Device(LoopAndBenchParameters):
         }
 
     def fmu_parameters(self) -> dict[str, float]:
-        """Values of the FMU's parameters that differ from its defaults, by name, SI; those of
-        `model` come last. The start angle is set at power-on."""
+        """Values of the FMU's parameters that differ from its defaults, by the FMU's names, SI.
+        Values of `model` come last. The start angle is not among them: it is set at power-on.
+        """
         ideal = Device().fmu_values()
         values = {name: v for name, v in self.fmu_values().items() if v != ideal[name]}
         return {**values, **self.model}
 
     def draw_turn_on(self, generator: "np.random.Generator") -> dict[str, float]:
-        """Values as of `fmu_parameters` at one power-on, with normal and independent scatter."""
+        """Draw the FMU's parameters at one power-on: `fmu_parameters` with independent normal
+        scatter."""
         stated = {**self.fmu_values(), **self.model}
         drawn = {
             name: stated[name] + generator.normal(0.0, deviation)
@@ -87,7 +89,7 @@ class Device(LoopAndBenchParameters):
         return {**self.fmu_parameters(), **drawn}
 
     def without_anisotropy(self) -> "Device":
-        """This gyro with every anisotropy of resonator and electrodes zero; its noise stays."""
+        """This gyro without any anisotropy of resonator and electrodes; its noise stays."""
         return replace(
             self,
             damping_anisotropy=0.0,
@@ -100,8 +102,9 @@ class Device(LoopAndBenchParameters):
         )
 
     def without_noise(self) -> "Device":
-        """This gyro without random errors. Its quantization step stays, and so does what
-        varies from power-on to power-on."""
+        """This gyro without noise. Its quantization step and its scatter from power-on to power-on
+        stay.
+        """
         return replace(
             self,
             angle_random_walk=0.0,

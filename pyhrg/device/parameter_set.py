@@ -1,4 +1,4 @@
-"""A device as a parameter set of the SSP standard, which tools set an FMU's parameters by."""
+"""A device as a parameter set of the SSP standard, by which tools set an FMU's parameters."""
 
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping

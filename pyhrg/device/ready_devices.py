@@ -14,13 +14,13 @@ READY = tuple(sorted(path.stem for path in _FOLDER.glob("*.toml")))
 
 
 def load_device(name_or_path: str | Path) -> Device:
-    """A device that comes with the package, or the device in a file.
+    """Load a device that comes with the package, or one from a file.
 
     Args:
         name_or_path: one of `READY`, or a device file (TOML).
 
     Raises:
-        HrgError: neither a name nor a file, or a file that can't be used.
+        HrgError: there is neither such a device nor such a file, or the file can't be used.
     """
     if str(name_or_path) in READY:
         return device_file.read(_FOLDER / f"{name_or_path}.toml")

@@ -17,8 +17,8 @@ class Gyro:
     """One gyro that is switched on; a context manager that switches it off.
 
     Attributes:
-        time: since power-on, s.
-        instance: of the FMU.
+        time: time since power-on, s.
+        instance: instance of the FMU.
     """
 
     def __init__(

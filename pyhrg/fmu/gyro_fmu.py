@@ -22,7 +22,7 @@ class GyroFmu(Archive):
     """An FMU of the gyro, extracted and ready to be instantiated, from any thread.
 
     Attributes:
-        stop: set from another thread, it ends every drive under way with `GyroError`.
+        stop: event that another thread sets to end every drive under way with `GyroError`.
     """
 
     def __init__(self, path: Path) -> None:
@@ -37,7 +37,7 @@ class GyroFmu(Archive):
 
         Args:
             parameters: values by name, SI (`Device.fmu_parameters`).
-            seed: of all its noise, 0 to 2^31 - 1.
+            seed: seed of all the gyro's noise, 0 to 2^31 - 1.
             start_angle: pattern angle at power-on, rad.
 
         Raises:

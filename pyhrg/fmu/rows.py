@@ -18,12 +18,13 @@ COMMANDS = frozenset({"virtualRotation", "amplitudeSetpoint", "phaseOffset", "dr
 class Layout(NamedTuple):
     """What rows hold.
 
-    step: communication step, s.
-    tick: control period, s; 0 for a gyro without one.
-    commands: number of held inputs that are `COMMANDS`; these come first.
-    moving, held: value references of inputs that change within a row, and of those that are
-        constant in it.
-    ends, means: value references of outputs at the end of a row, and of those averaged over it.
+    Attributes:
+        step: communication step, s.
+        tick: control period, s; 0 for a gyro without one.
+        commands: number of held inputs that are `COMMANDS`; these come first.
+        moving, held: value references of inputs that change within a row, and of those that are
+            constant in it.
+        ends, means: value references of outputs at the end of a row, and of those averaged over it.
     """
 
     step: float
@@ -38,9 +39,11 @@ class Layout(NamedTuple):
 class Rows(NamedTuple):
     """Inputs of one gyro, row by row, and its outputs, to be filled.
 
-    moving: (n, m, inputs) values in each of a row's m steps; held: (n + 1, inputs), the last row
-    repeated; is_new: (n,) whether a row's held values differ from those of the row before; ends,
-    means: (n, outputs). All SI.
+    Attributes:
+        moving: (n, m, inputs) values in each of a row's m steps.
+        held: (n + 1, inputs), the last row repeated.
+        is_new: (n,) whether a row's held values differ from those of the row before.
+        ends, means: (n, outputs). All SI.
     """
 
     moving: Array

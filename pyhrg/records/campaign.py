@@ -35,9 +35,9 @@ class Test:
     """One test of one power-on.
 
     Attributes:
-        id: name of the test, unlike any other of the campaign; a file name.
-        kind: `static`, `positions`, `rate`, `ring_down`, ... (docs/records.md).
-        role: `fit` or `holdout`.
+        id: name of the test, unique in the campaign; it names the file.
+        kind: what was done: `static`, `positions`, `rate`, `ring_down`, ... (docs/records.md).
+        role: `fit`, or `holdout` for a test that a diagnosis may not fit.
         recording: the log, or a function that reads it.
     """
 
@@ -61,14 +61,14 @@ class Test:
 
 @dataclass(frozen=True)
 class Campaign:
-    """The tests of one gyro.
+    """All tests of one gyro.
 
     Attributes:
         device: name of the gyro.
-        site: where it was tested.
-        nominal: nominal values of the gyro's parameters, by the keys of a device file, in the
-            keys' units.
-        tests: in the order of the index.
+        site: laboratory where it was tested.
+        nominal: nominal values of the gyro's parameters, by the keys of a device file, in the keys'
+            units.
+        tests: the tests in the order of the index.
     """
 
     device: str
@@ -79,20 +79,21 @@ class Campaign:
     __repr__ = describe_briefly
 
     def of_kind(self, *kinds: str) -> list[Test]:
-        """The tests of these kinds, in order; those held out too."""
+        """Tests of these kinds in the campaign's order, held-out ones included."""
         return [test for test in self.tests if test.kind in kinds]
 
 
 def read_campaign(folder: Path | str, *, any_sign: bool = False) -> Campaign:
-    """Read a campaign's index (docs/records.md); logs are read when they are asked for.
+    """Read a campaign's index (docs/records.md). Each log is read when it is first asked for.
 
     Args:
-        folder: of the campaign.
-        any_sign: whether the table's angle may count against the gyro's, as in `read_log`.
+        folder: folder that holds `campaign.json`.
+        any_sign: whether the table's angle may have the opposite sign of the gyro's, as in
+            `read_log`.
 
     Raises:
-        HrgError: there is no such folder or no index, it has another schema, or a key is missing
-            or has a wrong value.
+        HrgError: there is no such folder or no index, it has another schema, or a key is missing or
+            has a wrong value.
     """
     if not Path(folder).is_dir():
         raise CampaignError(f"{folder}: found no such folder, expected that of a campaign")
@@ -122,7 +123,7 @@ def read_site(document: TomlTable) -> Site:
 
 
 def write_campaign(campaign: Campaign, folder: Path | str) -> None:
-    """Write the logs, then the index.
+    """Write a campaign into a folder: the logs, then the index.
 
     Raises:
         CampaignError: a test's id is no file name, or is there twice.

@@ -18,15 +18,16 @@ class LogError(HrgError):
 class Column:
     """A quantity of a log: SI value = factor * value in the file + offset.
 
-    field: attribute of `Log`.
-    stem: name in the file, without its unit.
-    unit: unit in the file; empty for a pure number.
-    role: whether the test bench measures the quantity (reference), the test bench commands it,
-        or the gyro measures it (response).
-    lowest: smallest value allowed, in the file's unit.
-    highest: largest value allowed, in the file's unit.
-    digits: significant digits that are written: well below the noise of any gyro.
-    optional: whether a log without the column is read without a note.
+    Attributes:
+        field: attribute of `Log`.
+        stem: name in the file, without its unit.
+        unit: unit in the file; empty for a pure number.
+        role: whether the test bench measures the quantity (reference), the test bench commands it,
+            or the gyro measures it (response).
+        lowest: smallest value allowed, in the file's unit.
+        highest: largest value allowed, in the file's unit.
+        digits: significant digits that are written: well below the noise of any gyro.
+        optional: whether a log without the column is read without a note.
     """
 
     field: str

@@ -68,10 +68,10 @@ class Log:
     __repr__ = describe_briefly
 
     def require(self, *fields: str) -> None:
-        """Refuse a log in which one of these fields has no value at all.
+        """Check that each of these fields has a value in some row.
 
         Raises:
-            LogError: one has none.
+            LogError: a field has no value at all.
         """
         missing = [BY_FIELD[field].name for field in fields if not self.has_values(field)]
         if missing:
@@ -94,7 +94,8 @@ class Log:
         return frame
 
     def stretches(self, *fields: str) -> list[slice]:
-        """Stretches of rows without a gap in time and without a missing value in these fields.
+        """List the stretches of rows without a gap in time and without a missing value in these
+        fields.
 
         Raises:
             LogError: a field has no value at all.
@@ -116,24 +117,24 @@ def read_log(
 ) -> Log:
     """Read a log from a CSV file (docs/records.md), gzipped or not.
 
-    Rows without a time, rows that repeat an earlier one, and a few that are out of order or
-    contradict another of the same time are dropped. Missing and saturated
-    values become NaN; their rows stay. Gaps and unknown columns are noted. `Log.exclusions` has a
-    sentence on each.
+    These rows are dropped: rows without a time, rows that repeat an earlier one, and a few rows
+    that are out of order or contradict another of the same time. Missing and saturated values
+    become NaN; their rows stay. `Log.exclusions` has a sentence on each, on gaps and on unknown
+    columns.
 
     Args:
-        path: of the file.
+        path: the file.
         interval_s: sampling interval, s; the median time step if None.
         latitude_deg: geodetic latitude of the site; with it, the gyro's angle must show Earth's
             rate.
-        any_sign: whether the table's angle may count against the gyro's. A diagnosis finds and
-            turns such a sign; for all else it is an error.
+        any_sign: whether the table's angle may have the opposite sign of the gyro's. A diagnosis
+            finds and reverses such a sign; all else refuses it.
 
     Raises:
-        HrgError: the file can't be read; a column stands there twice or under another unit; there
-            are no times or too few rows; a field is no number or out of range; more than a few
-            times have different values or run back; time steps contradict the interval; values are
-            in another unit than the header says.
+        HrgError: the file can't be read; a column is there twice or under another unit; there are
+            no times or too few rows; a field is no number or out of range; more than a few times
+            have different values or run back; time steps contradict the interval; values are in
+            another unit than the header says.
     """
     table = read_table(Path(path))
     latitude = None if latitude_deg is None else latitude_deg * DEG

@@ -1,4 +1,4 @@
-"""Values in another unit than the header says, found where two columns contradict each other."""
+"""Finds values in another unit than the header says: two columns then contradict each other."""
 
 import math
 

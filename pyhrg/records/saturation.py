@@ -1,4 +1,5 @@
-"""Stretches in which a channel of the gyro stands still although it can't: they are left out."""
+"""Finds stretches in which a channel of the gyro stands still although it can't; they are left
+out."""
 
 import numpy as np
 from numpy.typing import NDArray

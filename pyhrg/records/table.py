@@ -26,9 +26,11 @@ ABSENT_COLUMN = "no column "
 class Table:
     """Rows of a log while they are being checked.
 
-    source: name of the file, for messages; rows: (n,) row in the file; the header is row 1;
-    columns: (n,) values by field, SI; NaN where there is no value; notes: what was left out so
-    far, a sentence each.
+    Attributes:
+        source: name of the file, for messages.
+        rows: (n,) row in the file; the header is row 1.
+        columns: (n,) values by field, SI; NaN where there is no value.
+        notes: what was left out so far, a sentence each.
     """
 
     source: str

@@ -19,9 +19,10 @@ Complex = NDArray[np.complex128]
 class FreeShell:
     """Coefficients of the shell's free motion.
 
-    decay: 1/tau, 1/s.
-    damping: D exp(4i th_tau), 1/s.
-    split: dw exp(4i th_w), rad/s.
+    Attributes:
+        decay: 1/tau, 1/s.
+        damping: D exp(4i th_tau), 1/s.
+        split: dw exp(4i th_w), rad/s.
     """
 
     decay: float

@@ -1,1 +1,1 @@
-"""What a gyro's own channels tell of the drift of its bias map (docs/methods/witness.md)."""
+"""Estimates the drift of a gyro's bias map from its own channels (docs/methods/witness.md)."""

@@ -21,11 +21,15 @@ POWERS = 3
 
 @dataclass(frozen=True)
 class Motion:
-    """What a gyro goes through, row by row.
+    """Motion and environment of a gyro, row by row.
 
-    interval: of a row, s; angle: (n,) pattern angle in the middle of each row, rad; rate: (n,) of
-    the case, rad/s; virtual_rotation: (n,) as an input rate, rad/s; temperature: (n,) of the
-    resonator above the reference, K; signals: (n, SIGNALS) that mechanisms act in proportion to.
+    Attributes:
+        interval: length of a row, s.
+        angle: (n,) pattern angle in the middle of each row, rad.
+        rate: (n,) of the case, rad/s.
+        virtual_rotation: (n,) as an input rate, rad/s.
+        temperature: (n,) of the resonator above the reference, K.
+        signals: (n, SIGNALS) that mechanisms act in proportion to.
     """
 
     interval: float

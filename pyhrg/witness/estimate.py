@@ -1,4 +1,4 @@
-"""The bias map of a gyro now, from a log of its own channels (docs/methods/witness.md)."""
+"""The present bias map of a gyro, from a log of its own channels (docs/methods/witness.md)."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -26,19 +26,23 @@ SIGMAS = f"{'sigma':>12s}{'without log':>12s}"
 
 @dataclass(frozen=True)
 class MapEstimate:
-    """What a log tells of a gyro.
+    """The bias map of a gyro at the end of a log, with its uncertainty.
 
-    changes: (COUNT,) of `mechanisms.MECHANISMS` since the calibration, SI; covariance: of these;
-    prior: distribution of the changes before the log was read;
-    maps: (2 TERMS,) of the output's bias, rad/s, and scale-factor error now, over the pattern
-    angle; calibrated: (2 TERMS,) the same as the device has them at its reference temperature;
-    maps_covariance, maps_prior: (2 TERMS, 2 TERMS) covariances of the maps now, with the log and
-    without it;
-    temperature, angle: of the resonator above the reference, K, and of the pattern, rad, at the
-    log's end; burst_share: share of the rows that were limited; p_value: as of `Filtered`.
-
-    Where the channels hold what no mechanism makes, or the estimate has not settled, `is_explained`
-    is False, and changes and covariance are those of the prior.
+    Attributes:
+        changes: (COUNT,) estimated changes of `mechanisms.MECHANISMS` since the calibration, SI.
+        covariance: (COUNT, COUNT) covariance of the changes.
+        prior: distribution of the changes before the log was read.
+        maps: (2 TERMS,) present maps over the pattern angle: bias of the output, rad/s, then
+            scale-factor error.
+        calibrated: (2 TERMS,) the device's maps at its reference temperature, in the same order.
+        maps_covariance: (2 TERMS, 2 TERMS) covariance of the present maps, given the log.
+        maps_prior: (2 TERMS, 2 TERMS) covariance of the present maps without the log.
+        temperature: temperature of the resonator above its reference at the log's end, K.
+        angle: pattern angle at the log's end, rad.
+        burst_share: share of the log's rows that were down-weighted as bursts.
+        p_value: probability of innovations as far from white as these, if the model holds.
+        is_explained: whether drifting mechanisms explain the channels and the estimate has settled.
+            If not, changes and covariance are those of the prior.
     """
 
     changes: Array
@@ -58,7 +62,7 @@ class MapEstimate:
 
     @property
     def summary(self) -> str:
-        """The map now, what changed, and how well both are known, as text."""
+        """The present bias map, and changes since the calibration, with their sigmas, as text."""
         lines = [
             f"{'bias map, deg/h':28s}{'calibrated':>12s}{'now':>12s}{SIGMAS}",
             *(
@@ -80,8 +84,8 @@ class MapEstimate:
             n for n, v in zip(NAMES, self.prior.covariance.diagonal(), strict=True) if not v
         ]:
             lines.append(
-                f"taken as unchanged: {', '.join(fixed)} (a drift is a share of what the device "
-                "states, and a share of 0 is 0)"
+                f"taken as unchanged: {', '.join(fixed)} (the device states 0, and a drift is a "
+                "share of the stated value)"
             )
         if not self.is_explained:
             reason = (
@@ -138,7 +142,7 @@ class MapEstimate:
 
 
 def estimate_map(log: Log, device: Device, prior: Prior) -> MapEstimate:
-    """The bias map of a gyro at the end of a log.
+    """Estimate the bias map of a gyro at the end of a log from the gyro's own channels.
 
     The FMU is run with the log's motion; the forces' differences are explained by changes of the
     mechanisms.

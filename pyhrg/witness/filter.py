@@ -24,8 +24,11 @@ WINDOW = 12
 class Filtered:
     """States after all rows, in units of their prior deviations.
 
-    mean: (p,); covariance: (p, p); weights: (n, channels) of the rows, 1 but for bursts;
-    p_value: probability of innovations as far from white as these, if the model holds.
+    Attributes:
+        mean: (p,).
+        covariance: (p, p).
+        weights: (n, channels) of the rows, 1 but for bursts.
+        p_value: probability of innovations as far from white as these, if the model holds.
     """
 
     mean: Array

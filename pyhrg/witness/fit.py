@@ -41,10 +41,13 @@ SCATTER_BLOCKS = 200
 
 @dataclass(frozen=True)
 class Flown:
-    """What a fit needs of one gyro.
+    """One gyro of a fit.
 
-    device: the gyro as it is believed; witnesses: of its flight; prior: of its changes; responses:
-    of the device, whose noise is that of the forces.
+    Attributes:
+        device: the gyro as it is believed.
+        witnesses: witness channels of the gyro's flight.
+        prior: prior of the gyro's changes.
+        responses: responses of the device; its noise is that of the forces.
     """
 
     device: Device
@@ -55,12 +58,17 @@ class Flown:
 
 @dataclass(frozen=True)
 class FittedChanges:
-    """What the forces say if nothing but the mechanisms made them.
+    """Changes that explain the forces if nothing but the mechanisms made them.
 
-    changes: (COUNT,) since the calibration, SI; covariance: of these; responses: sensitivities of
-    the changed gyro; temperature, angle: of the resonator above the reference, K, and of the
-    pattern, rad, at the end; burst_share: share of the rows that were limited; p_value: as of
-    `Filtered`; moved: normalised square of what the last stage changed.
+    Attributes:
+        changes: (COUNT,) since the calibration, SI.
+        covariance: (COUNT, COUNT) covariance of the changes.
+        responses: sensitivities of the changed gyro.
+        temperature, angle: temperature of the resonator above its reference, K, and pattern angle,
+            rad, at the log's end.
+        burst_share: share of the rows that were limited.
+        p_value: probability of innovations as far from white as these, if the model holds.
+        moved: normalised square of what the last stage changed.
     """
 
     changes: Array

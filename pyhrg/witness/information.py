@@ -1,4 +1,4 @@
-"""What channels tell of the mechanisms: Fisher information, Bayesian bound.
+"""Information of channels about the mechanisms: Fisher information, Bayesian bound.
 
 Equations are those of docs/methods/witness.md. States are changes of `mechanisms.MECHANISMS`, SI.
 """

@@ -1,8 +1,8 @@
 """Mechanisms that make the bias map and may have changed since the calibration.
 
-Each is one number that is added to a device. An anisotropy has two: a cosine and a sine. What a
-bench knows well is a number of its own: the damping anisotropy's change per kelvin, rather than the
-share of an anisotropy that the bench confounds with the drives.
+Each is one number that is added to a device. An anisotropy has two: a cosine and a sine. A quantity
+that a bench knows well is a number of its own. So the damping anisotropy's change per kelvin is
+one, and not the share of an anisotropy that the bench confounds with the drives.
 """
 
 import cmath
@@ -26,9 +26,13 @@ SIGNALS: tuple[Signal, ...] = get_args(Signal)
 class Mechanism:
     """A number of a device that may have changed.
 
-    name: in reports; step: size of the change by which sensitivities are taken, SI: far above the
-    rounding of the simulation, and so small that the response is linear to 1e-3; read: its value;
-    add: the device with a change of it; signal: what it acts in proportion to.
+    Attributes:
+        name: name in reports.
+        step: size of the change by which sensitivities are taken, SI: far above the rounding of the
+            simulation, and so small that the response is linear to 1e-3.
+        read: function that reads the mechanism's value from a device.
+        add: function that gives the device with a change of the mechanism.
+        signal: signal that the mechanism acts in proportion to.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""How far mechanisms may have moved since the calibration: the prior of the estimate (Eq. 3)."""
+"""The prior of the estimate: how far mechanisms may have changed since the calibration (Eq. 3)."""
 
 import math
 from dataclasses import dataclass
@@ -48,17 +48,22 @@ def make_drift_prior(
     specific_force_bias: float = 0.0,
     cubic: float = CUBIC_DRIFT,
 ) -> Prior:
-    """Changes of a device by ageing and by another turn-on.
+    """Make the prior of the changes of a device since its calibration: ageing and another turn-on.
 
-    age: time since the calibration, s; ageing_share: standard deviation of the change in a year of
-    damping anisotropy, pick-offs and drives, as a share of each, growing with the root of time;
-    decay_time_loss: largest share of the decay time that is lost in a year, uniform from 0;
-        temperature_rate_bias: standard deviation of the bias per rate of temperature, rad/K, whose
-        mean is the device's own, because a replay leaves it out; specific_force_bias: standard
-        deviation of the change of the bias per specific force along the input axis, and of that
-        which pick-offs make per specific force across it, rad/s per m/s^2; cubic: of the change of
-        the pick-offs' cubic term. What the device states of its turn-on to turn-on scatter is added
-        (`Device.turn_on_scatter`).
+    The turn-on to turn-on scatter that the device states (`Device.turn_on_scatter`) is added.
+
+    Args:
+        device: the gyro as it was calibrated.
+        age: time since the calibration, s.
+        ageing_share: standard deviation of the relative change in a year of damping anisotropy,
+            pick-offs and drives. It grows with the square root of time.
+        decay_time_loss: largest share of the decay time that is lost in a year; uniform from 0.
+        temperature_rate_bias: standard deviation of the bias per rate of temperature, rad/K. Its
+            mean is the device's own value, because a replay leaves it out.
+        specific_force_bias: standard deviation, rad/s per m/s^2, of the change of two biases: that
+            per specific force along the input axis, and that which pick-offs make per specific
+            force across it.
+        cubic: standard deviation of the change of the pick-offs' cubic term.
     """
     share, lost = ageing_share * math.sqrt(age / YEAR), decay_time_loss * age / YEAR
     pickoff = math.hypot(device.pickoff_gain_mismatch, device.pickoff_nonorthogonality)

@@ -1,4 +1,4 @@
-"""Forces of a gyro that goes through what a log recorded, simulated by the FMU.
+"""Forces of a gyro that goes through a recorded motion, simulated by the FMU.
 
 The log has no true rate and no temperature of the resonator. Both are found in rounds: the rate is
 the one that turns the simulated pattern, as it is detected, through the recorded angles, and the
@@ -34,11 +34,16 @@ the case's rate of temperature needs two averages on both sides."""
 
 @dataclass(frozen=True)
 class Witnesses:
-    """What a log holds of a gyro's own channels, with no row missing.
+    """A gyro's own channels in a log, with no row missing.
 
-    interval: of a row, s; angle: (n + 1,) detected pattern angle at the beginning of the first row
-    and at the end of each, rad; forces: (n, 2) amplitude and quadrature force, 1/s;
-    frequency: (n,) offset, rad/s; virtual_rotation: (n,) rad/s; specific_force: (n, 3) m/s^2.
+    Attributes:
+        interval: length of a row, s.
+        angle: (n + 1,) detected pattern angle at the beginning of the first row and at the end of
+            each, rad.
+        forces: (n, 2) amplitude and quadrature force, 1/s.
+        frequency: (n,) offset, rad/s.
+        virtual_rotation: (n,) rad/s.
+        specific_force: (n, 3) m/s^2.
     """
 
     interval: float
@@ -62,11 +67,13 @@ class Witnesses:
 
 @dataclass(frozen=True)
 class Replay:
-    """What the FMU makes of it.
+    """Simulation of a log by the FMU, compared with the log.
 
-    residuals: (n, 2) recorded less simulated forces, 1/s; angle_error: rms of recorded less
-    simulated angles, rad; motion: of the simulated gyro; following: how the next replay is to go,
-    so that angles and frequency agree.
+    Attributes:
+        residuals: (n, 2) recorded less simulated forces, 1/s.
+        angle_error: rms of recorded less simulated angles, rad.
+        motion: motion of the simulated gyro.
+        following: how the next replay is to go, so that angles and frequency agree.
     """
 
     residuals: Array
@@ -77,10 +84,12 @@ class Replay:
 
 @dataclass(frozen=True)
 class Course:
-    """What a simulated gyro goes through.
+    """Motion and temperature of a simulated gyro.
 
-    start: pattern angle at the beginning, rad; rate: (n,) of the case, rad/s; temperature: (n,)
-    above the reference, K.
+    Attributes:
+        start: pattern angle at the beginning, rad.
+        rate: (n,) of the case, rad/s.
+        temperature: (n,) above the reference, K.
     """
 
     start: float

@@ -55,10 +55,13 @@ NOISE_PERIOD, NOISE_DURATION = 0.1, 20_000
 class Responses:
     """Sensitivities of one gyro.
 
-    forces: (COUNT, 2, POWERS, MOTIONS, TERMS) of amplitude and quadrature force, 1/s per unit of
-    each mechanism and of its signal, per power of the temperature and of the motion's rate;
-    output: (COUNT, POWERS, MOTIONS, TERMS) of the output rate, rad/s, likewise;
-    noise: (2,) white noise of the forces, 1/s in one second's mean; angular_gain: Bryan factor.
+    Attributes:
+        forces: (COUNT, 2, POWERS, MOTIONS, TERMS) of amplitude and quadrature force, 1/s per unit
+            of each mechanism and of its signal, per power of the temperature and of the motion's
+            rate.
+        output: (COUNT, POWERS, MOTIONS, TERMS) of the output rate, rad/s, likewise.
+        noise: (2,) white noise of the forces, 1/s in one second's mean.
+        angular_gain: Bryan factor.
     """
 
     forces: Array

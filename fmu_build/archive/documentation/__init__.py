@@ -1,1 +1,1 @@
-"""The archive's pages for people."""
+"""Pages of the archive for people to read."""

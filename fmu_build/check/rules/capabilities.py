@@ -1,4 +1,4 @@
-"""Rules on what an FMU says that it can do."""
+"""Rules on the capabilities that an FMU declares."""
 
 import math
 

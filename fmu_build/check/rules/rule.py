@@ -1,4 +1,4 @@
-"""A rule: what it asks, and a function that yields what offends against it."""
+"""A rule: its statement, and a function that yields what violates it."""
 
 from collections.abc import Callable, Iterator
 

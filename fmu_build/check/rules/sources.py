@@ -1,4 +1,4 @@
-"""Rules on sources: what is to be compiled is there, under the right name."""
+"""Rules on sources: the files to compile are there, under the right names."""
 
 from fmu_build.check.archive import Fmu
 from fmu_build.check.rules.rule import Findings, rule

@@ -1,4 +1,4 @@
-"""What a unit's name means in SI base units, where it can be read: `rad/s2`, `km/h`, `N.m`."""
+"""Meaning of a unit's name in SI base units, where it can be read: `rad/s2`, `km/h`, `N.m`."""
 
 import math
 import re

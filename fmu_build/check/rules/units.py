@@ -1,4 +1,4 @@
-"""Rules on units: names that can be read are held to what they are declared as."""
+"""Rules on units: a name that can be read must agree with its declaration."""
 
 import math
 from collections.abc import Mapping

@@ -1,1 +1,2 @@
-"""What a system of FMUs (SSP) of any maker is held to; what is asked of one FMU stands beside."""
+"""Checks of a system of FMUs (SSP) of any maker; the checks of a single FMU are in the folder
+above."""

@@ -18,7 +18,7 @@ STRUCTURE = "SystemStructure.ssd"
 
 @dataclass(frozen=True)
 class Connector:
-    """What an element shows of itself: kind, and type and unit where they are given."""
+    """A connector of an element: its kind, and its type and unit where they are given."""
 
     name: str
     kind: str
@@ -39,8 +39,10 @@ class Component:
 class System:
     """An opened archive.
 
-    connectors: of each element by name, of nested systems too; of the system itself: None.
-    fmus: by the source that components name; missing ones aren't there.
+    Attributes:
+        connectors: connectors of each element, by the element's name, nested systems included;
+            under None those of the system itself.
+        fmus: FMUs by the source that components name; missing ones are left out.
     """
 
     path: Path

@@ -37,7 +37,8 @@ STEP_SHARE = 1e-2
 class SystemRun(Run):
     """Run of a system: real outputs of its components, each COMPONENT::VARIABLE.
 
-    sets: what the parameter sets are called.
+    Attributes:
+        sets: what the parameter sets are called.
     """
 
     sets: str

@@ -28,9 +28,14 @@ MIN_STEPS = 15
 class Reckoning:
     """Navigation from one start attitude and velocity 0.
 
-    track: navigated states; displacement: (m, 2) navigated, north and east, m; turned: (m, 2)
-    rotation about north and east since the start, rad; transition: (m, 30, 30) of the states of
-    `aligning_model`; position: (3,) of the vehicle; interval: of the increments, s; step: s.
+    Attributes:
+        track: navigated states.
+        displacement: (m, 2) navigated, north and east, m.
+        turned: (m, 2) rotation about north and east since the start, rad.
+        transition: (m, 30, 30) of the states of `aligning_model`.
+        position: (3,) place of the vehicle: latitude, longitude (rad), height (m).
+        interval: length of an increment, s.
+        step: length of a navigation step, s.
     """
 
     track: Track

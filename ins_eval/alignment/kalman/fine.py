@@ -38,8 +38,9 @@ BOUNDS = ((1e-7, 1.0), (1e-10, 1.0))
 class Tilting:
     """Tilting about each level axis.
 
-    angle_white_noise: standard deviation, rad, including quantization; angle_random_walk:
-    coefficient, rad/sqrt(s).
+    Attributes:
+        angle_white_noise: standard deviation, rad, including quantization.
+        angle_random_walk: coefficient, rad/sqrt(s).
     """
 
     angle_white_noise: float
@@ -88,8 +89,11 @@ SWAY_TOLERANCE = 0.05
 class FilterResult:
     """Estimates of the filter.
 
-    state: (m, 30); covariance: (m, 30, 30); innovation: (m, 2), whitened; log_likelihood: of the
-    innovations after the filter has settled.
+    Attributes:
+        state: (m, 30) estimated states of `aligning_model`.
+        covariance: (m, 30, 30) covariance of the states.
+        innovation: (m, 2) whitened innovations of the displacement.
+        log_likelihood: log-likelihood of the innovations after the filter has settled.
     """
 
     state: Array

@@ -43,12 +43,13 @@ def hand_out_challenge(
     scheduler: str | None = None,
     progress: Progress | None = None,
 ) -> Path:
-    """The folder that can be given away; the truth is in the folder `sealed` beside it.
+    """Make a challenge: a folder to give away, whose path is returned, and the truth in `sealed`
+    beside it.
 
     The study runs first, and goes on where it was interrupted.
 
     Args:
-        seed: seed of everything random. Whoever knows it can compute the truth.
+        seed: seed of all random numbers. Whoever knows it can compute the truth.
         study: a study, the name of one that comes with the package, or a file, with one
             calibration.
         workers, scheduler, progress: as in `run_study`.
@@ -73,7 +74,7 @@ def hand_out_challenge(
 
 
 def score_challenge(out: Path | str, predictions: Sequence[Path | str]) -> ChallengeScores:
-    """Scores of predictions (CSV) beside ours; they are also written to `SCORES` in the challenge's
+    """Score predictions (CSV) beside ours, and write the scores to `SCORES` in the challenge's
     folder.
 
     Args:

@@ -1,4 +1,5 @@
-"""What a challenge hands out: bench records, missions, what is known of a flight before it."""
+"""Files that a challenge hands out: bench records, missions, and what is known of a flight before
+it."""
 
 import json
 from collections.abc import Iterator

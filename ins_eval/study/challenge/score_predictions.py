@@ -111,8 +111,9 @@ SCORES = {
 class ChallengeScores:
     """Scores of predictors.
 
-    table: a row for each class of missions and predictor: n, seed, and `SCORES` with their
-    intervals.
+    Attributes:
+        table: a row for each class of missions and predictor, with n, seed, and `SCORES` with their
+            intervals.
     """
 
     table: pd.DataFrame

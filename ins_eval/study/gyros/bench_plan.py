@@ -35,9 +35,12 @@ TABLE_RATE = 5 * DEG
 class BenchPlan:
     """Length of the bench's tests.
 
-    runs: power-ons of each map test; fixed_runs: power-ons of the fixed-position test; positions:
-    positions around the circumference, 8N; segments, fixed_segments: segments of 100 s at each of
-    these and at the fixed position; periods: periods of the map in a scale-factor test.
+    Attributes:
+        runs: power-ons of each map test.
+        fixed_runs: power-ons of the fixed-position test.
+        positions: positions around the circumference, 8N.
+        segments, fixed_segments: segments of 100 s at each of these and at the fixed position.
+        periods: periods of the map in a scale-factor test.
     """
 
     runs: int = 3

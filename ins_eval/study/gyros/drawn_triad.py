@@ -30,8 +30,10 @@ AXES = 3
 class TriadDistribution:
     """What triads are drawn from: gyros, the maker's calibration, the bench, the drift.
 
-    accelerometer_bias: standard deviation of each accelerometer's bias, m/s^2; mounting: standard
-    deviation of the angle by which each input axis leans, in each of two directions, rad.
+    Attributes:
+        accelerometer_bias: standard deviation of each accelerometer's bias, m/s^2.
+        mounting: standard deviation of the angle by which each input axis leans, in each of two
+            directions, rad.
 
     Raises:
         HrgError: a bench with a single power-on.
@@ -57,8 +59,10 @@ class TriadDistribution:
 class DrawnGyro:
     """A gyro of a triad.
 
-    device: as the maker has calibrated it; bench_seed: seed of the bench's noise; flight: the gyro
-    as it flies.
+    Attributes:
+        device: the gyro as its maker has calibrated it.
+        bench_seed: seed of the bench's noise.
+        flight: the gyro as it flies.
     """
 
     device: Device
@@ -70,9 +74,13 @@ class DrawnGyro:
 class DrawnTriad:
     """Three gyros in one flight, and what the bench measured of them.
 
-    measured: the bench's results; flights: the gyros as they fly; accelerometers: (3,) biases,
-    m/s^2; mounting: (2, 3) angles by which input axes lean (`TriadBlock`), rad; seed: (2,) entropy
-    of the noise in flight; calibrated: the gyros as the bench measured them.
+    Attributes:
+        measured: the bench's results.
+        flights: the gyros as they fly.
+        accelerometers: (3,) biases, m/s^2.
+        mounting: (2, 3) angles by which input axes lean (`TriadBlock`), rad.
+        seed: (2,) entropy of the noise in flight.
+        calibrated: the gyros as the bench measured them.
     """
 
     measured: tuple[MeasuredGyro, ...]

@@ -1,4 +1,4 @@
-"""What changes a gyro from calibration to flight: age, another power-on, warming after it."""
+"""Changes of a gyro from calibration to flight: age, another power-on, warming after it."""
 
 import math
 from dataclasses import dataclass, replace
@@ -22,8 +22,10 @@ LARGEST_LEAKAGE = 0.05
 class Drift:
     """Distribution of what happens between calibration and flight.
 
-    age: time from calibration to flight, s; coolest, warmest: bounds of the final rise of the
-    case's temperature above that of the calibration, K; uniform between them (`warming`).
+    Attributes:
+        age: time from calibration to flight, s.
+        coolest, warmest: bounds of the final rise of the case's temperature above that of the
+            calibration, K; uniform between them (`warming`).
     """
 
     age: float = YEAR / 2
@@ -42,8 +44,10 @@ class Drift:
 class Flight:
     """One gyro in one flight.
 
-    device: as it is in this power-on, at the calibration's temperature;
-    rise: final rise of its temperature, K; power_on_angle: pattern angle at power-on, rad.
+    Attributes:
+        device: the gyro in this power-on, at the calibration's temperature.
+        rise: final rise of the gyro's temperature above the calibration's, K.
+        power_on_angle: pattern angle at power-on, rad.
     """
 
     device: Device

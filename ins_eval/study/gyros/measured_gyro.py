@@ -1,4 +1,4 @@
-"""What the bench measures of a gyro: stabilities, maps, noise."""
+"""Results of the bench for one gyro: stabilities, maps, noise."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -30,16 +30,19 @@ FLICKER_FLOOR = np.sqrt(2 * np.log(2) / np.pi)
 class MeasuredGyro:
     """Results of the bench for one gyro, SI.
 
-    fixed_bias: mean bias at one position over the power-ons, rad/s;
-    fixed_stability: in-run bias stability there, rad/s;
-    fixed_repeatability: standard deviation of the mean bias there between power-ons, rad/s;
-    circumference_stability: bias stability over all positions, rad/s;
-    fitted_map: (2 TERMS,) mean over the power-ons; map_per_kelvin: its change per kelvin;
-    map_variance: (2 TERMS,) variance of the errors of the map's coefficients in another power-on.
-    It is the scatter over power-ons, pooled in two groups of terms for bias and scale factor each:
-    mean and fourth harmonic, which power-ons change, and the others;
-    random_walk: angle random walk, rad/sqrt(s);
-    instability: coefficient of the flicker noise at 100 s, rad/s.
+    Attributes:
+        fixed_bias: mean bias at one position over the power-ons, rad/s.
+        fixed_stability: in-run bias stability at that position, rad/s.
+        fixed_repeatability: standard deviation between power-ons of the mean bias at that position,
+            rad/s.
+        circumference_stability: bias stability over all positions, rad/s.
+        fitted_map: (2 TERMS,) mean over the power-ons.
+        map_per_kelvin: (2 TERMS,) change of the map per kelvin.
+        map_variance: (2 TERMS,) variance of the errors of the map's coefficients in another
+            power-on. It is the scatter over power-ons, pooled in two groups of terms for bias and
+            scale factor each: mean and fourth harmonic, which power-ons change, and the others.
+        random_walk: angle random walk, rad/sqrt(s).
+        instability: coefficient of the flicker noise at 100 s, rad/s.
     """
 
     fixed_bias: float

@@ -90,9 +90,10 @@ Generator = np.random.Generator
 class Population:
     """A distribution of gyros.
 
-    smallest, largest: bounds of the size of their bias maps as they are built, rad/s;
-    common: correlation of each normal deviate from gyro to gyro, 0 to 1: gyros of one maker have
-    maps of one shape. Uniform and log-uniform draws are each gyro's own.
+    Attributes:
+        smallest, largest: bounds of the size of their bias maps as they are built, rad/s.
+        common: correlation of each normal deviate from gyro to gyro, 0 to 1: gyros of one maker
+            have maps of one shape. Uniform and log-uniform draws are each gyro's own.
     """
 
     smallest: float

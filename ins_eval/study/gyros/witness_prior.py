@@ -1,4 +1,4 @@
-"""What is known of a study's gyro before its channels are read in flight (witness.md, Eq. 3).
+"""Prior of a study's gyro before its channels are read in flight (witness.md, Eq. 3).
 
 The population says how far mechanisms reach, the bench's records narrow that, and the drift widens
 it again. The bench's records are those of `bench_plan`, with the gyro's own channels and, because
@@ -41,9 +41,9 @@ ROW = 0.1
 def make_study_prior(
     responses: Responses, device: Device, population: Population, plan: BenchPlan, drift: Drift
 ) -> Prior:
-    """Distribution of the changes of a gyro's mechanisms from what its maker believes.
+    """Make the prior of the changes of a gyro's mechanisms since it was calibrated and benched.
 
-    responses: of the calibrated device.
+    responses: responses of the calibrated device.
     """
     drifted = make_study_drift(device, drift)
     benched = compute_bench_covariance(responses, device, population, plan)
@@ -62,8 +62,8 @@ def compute_bench_covariance(
 
 
 def widen_prior(prior: Prior, device: Device) -> Prior:
-    """The prior of a device that is known no better than the bench of the study leaves it, which
-    measures no sensitivity to specific force or to the rate of temperature."""
+    """Prior of a device that was measured only by the study's bench, which measures no sensitivity
+    to specific force or to the rate of temperature."""
     responses = measure_responses(GyroFmu(build_fmu("HRGSlow")), device)
     benched = compute_bench_covariance(responses, device, RAW, BenchPlan())
     drifted = np.diag(make_study_drift(device, Drift()).covariance)
@@ -72,7 +72,7 @@ def widen_prior(prior: Prior, device: Device) -> Prior:
 
 
 def forget_unmeasured(device: Device) -> Device:
-    """The device without what no bench of the study measures, which is believed to be zero."""
+    """This device with zero for every mechanism that no bench of the study measures."""
     return replace(
         device,
         bias_per_acceleration=0.0,

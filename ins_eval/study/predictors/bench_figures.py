@@ -14,12 +14,15 @@ from pyhrg.common.arrays import Array
 class BenchFigures:
     """Figures of r triads, for the gyro along each body axis.
 
-    fixed_bias, fixed_stability, fixed_repeatability, circumference_stability: (r, 3) rad/s;
-    maps: (r, COUNT, 3) coefficients in flight that the bench expects, over the pattern angle
-    itself: the fitted map, and its change as the gyro warms. The resonance frequency is the
-    thermometer that gives the rise of temperature. Coefficients of the other signals are zero;
-    variance: (r, COUNT, 3) variance of their errors;
-    noise: (r, 4, 3) noise coefficients, SI (`COEFFICIENT_NAMES`); zero where the bench has none.
+    Attributes:
+        fixed_bias, fixed_stability, fixed_repeatability, circumference_stability: (r, 3) rad/s.
+        maps: (r, COUNT, 3) coefficients in flight that the bench expects, over the pattern angle
+            itself: the fitted map, and its change as the gyro warms. The resonance frequency is the
+            thermometer that gives the rise of temperature. Coefficients of the other signals are
+            zero.
+        variance: (r, COUNT, 3) variance of their errors.
+        noise: (r, 4, 3) noise coefficients, SI (`COEFFICIENT_NAMES`); zero where the bench has
+            none.
     """
 
     fixed_bias: Array

@@ -36,9 +36,10 @@ TURN_ONS = 7
 class TrainedModel:
     """What predictors take from the training triads, and from data sheets.
 
-    drift: distribution of the maps' change between bench and flight;
-    accelerometer_bias: standard deviation from the data sheet, m/s^2;
-    mounting: standard deviation of each input axis' lean, in each of two directions, rad.
+    Attributes:
+        drift: distribution of the maps' change between bench and flight.
+        accelerometer_bias: standard deviation from the data sheet, m/s^2.
+        mounting: standard deviation of each input axis' lean, in each of two directions, rad.
     """
 
     drift: MapDrift

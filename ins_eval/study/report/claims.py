@@ -184,10 +184,12 @@ def judge_conditions(data: StudyData) -> list[JudgedClaim]:
 
 @dataclass(frozen=True)
 class ConditionResult:
-    """What the claims come to in a condition of claim (d).
+    """Verdicts of the claims in a condition of claim (d).
 
-    name: of the condition; n: number of triads; figures: claim, requirement and figure of each
-    score, by its verdict.
+    Attributes:
+        name: name of the condition.
+        n: number of triads.
+        figures: claim, requirement and figure of each score, by its verdict.
     """
 
     name: str

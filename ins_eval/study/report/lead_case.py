@@ -26,8 +26,11 @@ ROOM = 1.5
 class LeadCase:
     """Results of the lead case.
 
-    device, mission: names; fixed_stability, circumference_stability: bench figures, deg/h; time:
-    (k,) s; flown: (n, k) horizontal errors, m.
+    Attributes:
+        device, mission: names.
+        fixed_stability, circumference_stability: bench figures, deg/h.
+        time: (k,) s.
+        flown: (n, k) horizontal errors, m.
     """
 
     device: str

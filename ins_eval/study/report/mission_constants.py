@@ -1,5 +1,5 @@
-"""What bench figures are worth in each mission of a study: the constants of its classes, which
-`predictors/class_constants.py` makes from the training triads."""
+"""Constants of each mission class of a study, which turn bench figures into position errors.
+`predictors/class_constants.py` makes them from the training triads."""
 
 from dataclasses import dataclass
 
@@ -54,9 +54,11 @@ BEYOND = "; beyond the study's triads, which have {smallest} to {largest} deg/h"
 class MissionConstant:
     """The horizontal error at the end of a mission over that of the usual rule, for one test.
 
-    median, low, high: of the predicted distribution; hours: duration of the mission; spearman: rank
-    correlation of the test's figure with the errors of the study's gyros; smallest, largest: the
-    figures of the study's judged triads, deg/h.
+    Attributes:
+        median, low, high: median and bounds of the predicted distribution.
+        hours: duration of the mission.
+        spearman: rank correlation of the test's figure with the errors of the study's gyros.
+        smallest, largest: the figures of the study's judged triads, deg/h.
     """
 
     test: BenchTest

@@ -1,7 +1,6 @@
 """Blocks of a study: each result is a pure function of the study and the block's number. The
-identity of a study is all that determines its results to the last bit: the study, the code, its
-libraries.
-"""
+identity of a study is everything that determines its results to the last bit: the study, the code,
+its libraries."""
 
 import hashlib
 import io
@@ -22,8 +21,9 @@ from pyhrg.common.made_by import find_difference, list_versions
 class Identity:
     """What determines a study's results.
 
-    study: all its fields, as JSON values; made_by: versions of libraries, and the digest of our own
-    code.
+    Attributes:
+        study: all its fields, as JSON values.
+        made_by: versions of libraries, and the digest of our own code.
     """
 
     study: dict[str, Any]

@@ -40,10 +40,11 @@ class Experiment:
 
 @dataclass(frozen=True)
 class Cluster:
-    """Who computes the blocks.
+    """Workers that compute the blocks.
 
-    scheduler: address of a Dask scheduler; None for processes of this machine; workers: number of
-    these, None for all cores.
+    Attributes:
+        scheduler: address of a Dask scheduler; None for processes of this machine.
+        workers: number of these, None for all cores.
     """
 
     scheduler: str | None = None

@@ -64,7 +64,9 @@ NO_REQUIREMENT = ("", "")
 class _Scorer:
     """Makes the scores of a group of flights.
 
-    seed: of bootstraps and permutations; inside: probability of the predicted intervals.
+    Attributes:
+        seed: of bootstraps and permutations.
+        inside: probability of the predicted intervals.
     """
 
     group: FlightGroup

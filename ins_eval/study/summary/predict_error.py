@@ -26,12 +26,19 @@ from pyhrg.common.pages.svg import format_number
 
 @dataclass(frozen=True)
 class PredictedError:
-    """Horizontal error at the end of a mission, from one bench figure; m.
+    """Horizontal position error at the end of a mission that one bench figure predicts, m.
 
-    test: name of the test; stability: rms of the three gyros, deg/h; rule: by 0.01 deg/h = 1 nmi/h;
-    median, low, high: by the constant of the class, with its interval at `interval_percent`;
-    spearman: rank correlation of this test's figure with the errors of the study's gyros; smallest,
-    largest: stabilities of the study's triads, deg/h.
+    Attributes:
+        test: name of the bench test.
+        mission: name of the mission.
+        hours: its duration, h.
+        stability: bias stability, rms of the three gyros, deg/h.
+        rule: error by the usual rule, 0.01 deg/h = 1 nmi/h, m.
+        median: error by the class constant, m.
+        low, high: its interval at `interval_percent`, m.
+        interval_percent: probability of the interval, %.
+        spearman: rank correlation of this test's figure with the errors of the study's gyros.
+        smallest, largest: range of the stabilities of the study's triads, deg/h.
     """
 
     test: str
@@ -82,7 +89,7 @@ def predict_error(
     circumference_deg_h: float | None = None,
     calibration: str = "mean",
 ) -> list[PredictedError]:
-    """Position errors that bench figures predict, with intervals, one for each figure given.
+    """Predict position errors from bench figures, with intervals: one prediction for each figure.
 
     The constant of the mission's class, its prediction divided by that of the usual rule, is read
     from a finished study. It is valid only for the study's gyros and duration.

@@ -1,6 +1,5 @@
-"""The summary of a study in words: the lead case, the judged flights (those of one calibration in
-one mission, flown and predicted), the claims.
-"""
+"""The summary of a study as text: the paper's gyro, the judged flights (one calibration in one
+mission, flown and predicted), the claims."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -53,7 +52,9 @@ SHOWN_PREDICTORS = (
 class Outcome:
     """Judged triads of one calibration in one mission.
 
-    flights: their rows of study.parquet; scores: the scores of its class.
+    Attributes:
+        flights: rows of study.parquet of the judged flights.
+        scores: the scores of its class.
     """
 
     calibration: str

@@ -16,8 +16,11 @@ import pyarrow.parquet as pq
 class Column:
     """A column.
 
-    name: its name in the file; kind: "int", "text", "number" or "numbers" (a list); unit: "1" for
-    pure numbers, "" for text; what: its meaning, a phrase.
+    Attributes:
+        name: name in the file.
+        kind: "int", "text", "number" or "numbers" (a list).
+        unit: "1" for pure numbers, "" for text.
+        what: meaning, a phrase.
     """
 
     name: str
@@ -30,7 +33,10 @@ class Column:
 class Predictor:
     """A predictor of the position error.
 
-    key: prefix of its columns; title: its name in reports; what: what it uses, a phrase.
+    Attributes:
+        key: prefix of its columns.
+        title: name in reports.
+        what: what it uses, a phrase.
     """
 
     key: str

@@ -53,14 +53,17 @@ HOLDS, FAILS, UNDECIDED = "holds", "fails", "undecided"
 class Score:
     """A score of one group of flights.
 
-    score: key of `SCORES`; predictor: key of `columns.PREDICTORS`, of
-    `columns.FIGURE_TITLES`, or "";
-    value, low, high: the score and its interval at `confidence`; NaN where there is none. With too
-    few triads for an interval `confidence` is `RANGE`, and the ends are those of single triads;
-    n: number of triads; seed: seed of the bootstrap, None for an exact interval;
-    shuffled: whether it is the negative control, with predictions of shuffled devices;
-    asked: the requirement, such as ">= 0.95", or ""; verdict: `HOLDS`, `FAILS`, `UNDECIDED`, or ""
-    without a requirement.
+    Attributes:
+        score: key of `SCORES`.
+        predictor: key of `columns.PREDICTORS`, of `columns.FIGURE_TITLES`, or "".
+        value, low, high: the score and its interval at `confidence`; NaN where there is none. With
+            too few triads for an interval `confidence` is `RANGE`, and the ends are those of single
+            triads.
+        n: number of triads.
+        seed: seed of the bootstrap, None for an exact interval.
+        shuffled: whether it is the negative control, with predictions of shuffled devices.
+        asked: the requirement, such as ">= 0.95", or "".
+        verdict: `HOLDS`, `FAILS`, `UNDECIDED`, or "" without a requirement.
     """
 
     score: str

@@ -45,9 +45,9 @@ def validate(
 
     Args:
         out: output folder; new, empty, or of the same validation, which is continued.
-        seed: seed of everything random.
-        hours: duration of the missions; the lead case lasts an hour.
-        triads: number of triads that are judged; the preset's training triads come on top.
+        seed: seed of all random numbers.
+        hours: duration of the missions; the paper's gyro always flies for an hour.
+        triads: number of triads that are judged, beside the preset's training triads.
         calibration: what the maker calibrates: "mean" or "map".
         trajectory: the mission beside the car: a ready one, a mission file (TOML) or a recorded
             drive (CSV); the preset's if None.

@@ -1,5 +1,5 @@
-"""A gyro as the bench of a study leaves it known: with an error, and with what no bench measures
-taken for zero."""
+"""A gyro as a study's bench knows it: measured with an error, and with zero for what no bench
+measures."""
 
 from dataclasses import dataclass
 
@@ -21,10 +21,12 @@ from pyhrg.witness.responses import Responses, measure_responses
 
 @dataclass(frozen=True)
 class BelievedGyro:
-    """What is known of a gyro before its flight.
+    """Knowledge of a gyro before its flight.
 
-    device: as the bench leaves it; responses: of that device; prior: of the changes from it to the
-    gyro in flight.
+    Attributes:
+        device: the gyro that the bench measured.
+        responses: responses of that device.
+        prior: prior of the changes from that device to the gyro in flight.
     """
 
     device: Device

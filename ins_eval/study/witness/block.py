@@ -1,4 +1,4 @@
-"""What the channels of a block's gyros tell, as arrays."""
+"""Estimates from the channels of a block's gyros, as arrays."""
 
 from collections.abc import Mapping, Sequence
 

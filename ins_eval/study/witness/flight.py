@@ -32,9 +32,12 @@ PIECE = 60_000
 class ChannelFlight:
     """A flight of a triad from power-on.
 
-    truth: of its mission; measured: increments of the IMU; witnesses: of each gyro, in rows of
-    `ROW`; patterns: (n + 1, 3) detected pattern angles at the bounds of the increments, rad;
-    self_test: duration of the self-test at power-on, s.
+    Attributes:
+        truth: truth of the flight's mission.
+        measured: increments of the IMU.
+        witnesses: witness channels of each gyro, in rows of `ROW`.
+        patterns: (n + 1, 3) detected pattern angles at the bounds of the increments, rad.
+        self_test: duration of the self-test at power-on, s.
     """
 
     truth: MissionTruth

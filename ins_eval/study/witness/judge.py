@@ -1,4 +1,4 @@
-"""How well the gyros' own channels predict and correct flights: scores with intervals.
+"""Scores, with intervals, of how well the gyros' own channels predict and correct flights.
 
 Equations: docs/methods/witness.md, "Judged".
 """
@@ -39,10 +39,13 @@ SHUFFLED = "told, of another triad"
 class WitnessScore:
     """A score of flights of a calibration and a class with one kind of start.
 
-    self_test_s: duration of the self-test at power-on; score: `R2` of the horizontal error,
-    `COVERAGE` of the intervals, `CORRECTED` median error over that of the uncorrected flights, or
-    `NEES` over its degrees of freedom; of: key of `PREDICTORS` or `CORRECTIONS`, or `SHUFFLED`;
-    low, high: interval of 95 %; n: number of triads.
+    Attributes:
+        self_test_s: duration of the self-test at power-on.
+        score: `R2` of the horizontal error, `COVERAGE` of the intervals, `CORRECTED` median error
+            over that of the uncorrected flights, or `NEES` over its degrees of freedom.
+        of: key of `PREDICTORS` or `CORRECTIONS`, or `SHUFFLED`.
+        low, high: interval of 95 %.
+        n: number of triads.
     """
 
     calibration: str

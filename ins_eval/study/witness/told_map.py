@@ -1,4 +1,5 @@
-"""Maps that a gyro's channels tell: as the position error that they make, and as a correction.
+"""Maps that are estimated from a gyro's channels: as the position error that they make, and as a
+correction.
 
 Coefficients are those of `mission_model.signals`, over the pattern angle itself.
 """

@@ -1,4 +1,4 @@
-"""What the channels of a triad's gyros tell in one flight, and what that is worth."""
+"""Estimates from the channels of a triad's gyros in one flight, and their position errors."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -35,13 +35,17 @@ from pyhrg.witness.responses import Responses
 class WitnessedFlight:
     """Results of one flight, at its end; errors are north and east, m.
 
-    flown: (2,) error of the flight; by_bench: of the same record, corrected by the maps that the
-    bench knows; by_channels: by those that the channels of the whole flight tell; by_self_test: by
-    those that the channels tell until the alignment ends;
-    told, known: (2,) error that the maps told by the channels make, and those known from the bench;
-    told_covariance, known_covariance: (2, 2) of these, m^2, without noise and mounting;
-    squares, degrees: (3,) normalised squares of the told changes' errors, and degrees of freedom;
-    p_values: (3,) as of `Filtered`.
+    Attributes:
+        flown: (2,) error of the flight.
+        by_bench: error of the same record, corrected by the maps that the bench knows.
+        by_channels: error, corrected by the maps that the channels of the whole flight give.
+        by_self_test: error, corrected by the maps that the channels give until the alignment ends.
+        told, known: (2,) error that the maps told by the channels make, and those known from the
+            bench.
+        told_covariance, known_covariance: (2, 2) of these, m^2, without noise and mounting.
+        squares, degrees: (3,) normalised squares of the told changes' errors, and degrees of
+            freedom.
+        p_values: (3,) as of `Filtered`.
     """
 
     flown: Array

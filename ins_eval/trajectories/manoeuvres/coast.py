@@ -27,7 +27,8 @@ TOLERANCE = 1e-11
 class Sampled:
     """A signal between times 0 and `length`, s, constant before and after.
 
-    breaks, scale: as of `Signal`.
+    Attributes:
+        breaks, scale: as of `Signal`.
     """
 
     spline: BSpline

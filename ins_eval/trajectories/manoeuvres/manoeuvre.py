@@ -42,9 +42,13 @@ class Entry:
 class Leg:
     """A manoeuvre from its entry, as functions of the time since then, s.
 
-    speed: along the path, m/s; climb_angle: of the path, rad; turn_rate: of the path's heading,
-    rad/s, in addition to that of a great circle; roll: in addition to the bank, rad; lean: ratio of
-    the bank to that of a coordinated turn; place: where it begins.
+    Attributes:
+        speed: along the path, m/s.
+        climb_angle: climb angle of the path, rad.
+        turn_rate: turn rate of the path's heading, rad/s, in addition to that of a great circle.
+        roll: roll in addition to the bank, rad.
+        lean: ratio of the bank to that of a coordinated turn.
+        place: place where the leg begins.
     """
 
     duration: float

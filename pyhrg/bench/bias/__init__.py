@@ -1,1 +1,1 @@
-"""Bias: at a position, over the circumference, temperature, specific force, vibration, years."""
+"""Bias tests: fixed position, circumference, temperature, specific force, vibration, ageing."""

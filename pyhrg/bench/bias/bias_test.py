@@ -29,7 +29,8 @@ POINT_UNITS = {
 class BiasTest:
     """Runs of a bias test, with the power cycled between them.
 
-    runs: data points of each run, means over 100 s.
+    Attributes:
+        runs: data points of each run, means over 100 s.
     """
 
     runs: Sequence[Points]

@@ -24,7 +24,8 @@ LARGEST_INFLATION = 3.0
 class Circumference:
     """One power-on over the circumference.
 
-    fitted: fit of mean and harmonics, rad/s.
+    Attributes:
+        fitted: fit of mean and harmonics, rad/s.
     """
 
     points: Points

@@ -1,1 +1,1 @@
-"""Maps fitted, applied, and what they leave."""
+"""Calibration: maps are fitted and applied, and the calibration residual is measured."""

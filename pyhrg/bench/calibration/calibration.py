@@ -1,4 +1,5 @@
-"""Calibration: bias and scale-factor map fitted, applied by the electronics, and what they leave.
+"""Calibration: maps of bias and scale factor are fitted, the electronics apply them, and the
+calibration residual is measured.
 
 The gyro is measured (positions, and turns both ways), its maps are exported, and the same gyro is
 measured again with the maps in its electronics, in power-ons of their own. The control applies the

@@ -33,11 +33,12 @@ from pyhrg.records.campaign import Campaign
 
 @dataclass(frozen=True)
 class Calibration:
-    """What the tests of a campaign give.
+    """Calibration maps from the tests of a campaign.
 
-    bias_map, scale_factor_map: a finding each, by the fields of `AngleMap`; a term that the records
-        can't identify is missing.
-    positions, rates: the fits that they are from.
+    Attributes:
+        bias_map, scale_factor_map: a finding for each field of `AngleMap`; a term that the records
+            can't identify is missing.
+        positions, rates: the fits of the position and the rate tests.
     """
 
     bias_map: Mapping[str, Finding]

@@ -1,4 +1,5 @@
-"""Free runs against Adler's closed form, what compensation leaves, and the figure of both."""
+"""Free runs compared with Adler's closed form, the dead zone after compensation, and the figure of
+both."""
 
 import math
 from collections.abc import Sequence

@@ -1,5 +1,6 @@
-"""What a free pattern does at a constant rate: it locks in, or turns in whole periods. The bias map
-that locks it comes from logs in which the table turns the pattern slowly, both ways.
+"""Behaviour of a free pattern at a constant rate: it locks in, or turns in whole periods. The bias
+map that locks it comes from logs in which the table turns the pattern slowly, in both
+directions.
 
 The mean output rate of a segment less the mean input rate is the bias map averaged over the pattern
 angles of the segment. Errors of adjacent segments are correlated: the angle noise where one ends
@@ -33,13 +34,14 @@ STILL = 1 * DEG
 class Run:
     """One power-on at a constant rate.
 
-    name: name of the test.
-    rate: inertial rate on the input axis, rad/s.
-    rotation: virtual rotation as an input rate, rad/s.
-    pattern_rate: mean over whole periods as an input rate, -(d th/dt)/k, rad/s; 0 while locked.
-    locked: whether the pattern is locked in the last quarter of the log.
-    angle: mean pattern angle of the last quarter, rad.
-    output: mean output rate of the last half, rad/s.
+    Attributes:
+        name: name of the test.
+        rate: inertial rate on the input axis, rad/s.
+        rotation: virtual rotation as an input rate, rad/s.
+        pattern_rate: mean over whole periods as an input rate, -(d th/dt)/k, rad/s; 0 while locked.
+        locked: whether the pattern is locked in the last quarter of the log.
+        angle: mean pattern angle of the last quarter, rad.
+        output: mean output rate of the last half, rad/s.
     """
 
     name: str

@@ -43,8 +43,9 @@ SMALLEST_DRIVE = 0.05
 class Response:
     """Frequency response in m periods.
 
-    frequency: (n,) Hz.
-    ratio: (m, n) complex: output over encoder, in each period.
+    Attributes:
+        frequency: (n,) Hz.
+        ratio: (m, n) complex: output over encoder, in each period.
     """
 
     frequency: Array

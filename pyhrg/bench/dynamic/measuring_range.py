@@ -44,9 +44,10 @@ TURN = 2 * np.pi / (4 * 0.277)
 class Step:
     """A plateau of the table's rate.
 
-    rate: of the table, rad/s.
-    error: of the output rate, relative to the table's.
-    valid: whether the output was valid throughout.
+    Attributes:
+        rate: rate of the table, rad/s.
+        error: relative error of the output rate against the table's.
+        valid: whether the output was valid throughout.
     """
 
     rate: float

@@ -43,12 +43,13 @@ amplitude of the first of the paper's two stages (2.3)."""
 class StartUp:
     """Start-up of one power-on.
 
-    valid, within: time to valid output and to output within specification, s; NaN where it is not
-        in the first half of the log.
-    interval: of the log's rows, s; the true times are up to this much earlier.
-    time: (n,) end of the average, s.
-    error: (n,) averaged rate less that over the second half of the log, rad/s.
-    noise: standard deviation of the averaged rate in the second half of the log, rad/s.
+    Attributes:
+        valid, within: time to valid output and to output within specification, s; NaN where it is
+            not in the first half of the log.
+        interval: length of the log's rows, s; the true times are up to this much earlier.
+        time: (n,) end of the average, s.
+        error: (n,) averaged rate less that over the second half of the log, rad/s.
+        noise: standard deviation of the averaged rate in the second half of the log, rad/s.
     """
 
     valid: float

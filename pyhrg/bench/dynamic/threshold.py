@@ -42,10 +42,11 @@ SETTLED_SHARE = 0.5
 class Response:
     """Response at one rate.
 
-    rate: of the table, rad/s.
-    value: change of the output rate over change of the input rate.
-    reach: half width of its 95 % interval.
-    n: number of dwells.
+    Attributes:
+        rate: rate of the table, rad/s.
+        value: change of the output rate over change of the input rate.
+        reach: half width of the value's 95 % interval.
+        n: number of dwells.
     """
 
     rate: float

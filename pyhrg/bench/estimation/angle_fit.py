@@ -30,10 +30,11 @@ The ends mean practically no angle noise and practically no rate noise."""
 class Record:
     """One uninterrupted record of an angle.
 
-    interval: between samples, s.
-    angle: (n,) rad.
-    columns: (n,) each, by the term's name: what one unit of the term adds to the angle. A constant
-        in a column has no effect.
+    Attributes:
+        interval: time between samples, s.
+        angle: (n,) rad.
+        columns: (n,) each, by the term's name: what one unit of the term adds to the angle. A
+            constant in a column has no effect.
     """
 
     interval: float
@@ -45,8 +46,9 @@ class Record:
 class AngleFit(Fit):
     """Fitted terms and both noises; the residual is that of the transformed increments.
 
-    rate_noise: power spectral density N^2 of the white rate noise, (rad/s)^2/Hz = rad^2/s.
-    angle_noise: variance of a sample's white angle noise, rad^2.
+    Attributes:
+        rate_noise: power spectral density N^2 of the white rate noise, (rad/s)^2/Hz = rad^2/s.
+        angle_noise: variance of a sample's white angle noise, rad^2.
     """
 
     rate_noise: float

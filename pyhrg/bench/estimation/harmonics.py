@@ -66,12 +66,13 @@ def compute_inflations(columns: dict[str, Array]) -> dict[str, float]:
 class Fit:
     """Result of a least-squares fit; the residual of a generalised one is whitened.
 
-    names: of the m terms.
-    values: (m,) SI.
-    covariance: (m, m) of the values.
-    residual: (n,).
-    freedom: degrees of freedom of the residual, or the smallest of `freedoms`.
-    freedoms: (m,) degrees of freedom of the values' standard errors.
+    Attributes:
+        names: names of the m terms.
+        values: (m,) SI.
+        covariance: (m, m) of the values.
+        residual: (n,).
+        freedom: degrees of freedom of the residual, or the smallest of `freedoms`.
+        freedoms: (m,) degrees of freedom of the values' standard errors.
     """
 
     names: tuple[str, ...]

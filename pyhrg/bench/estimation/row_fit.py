@@ -34,10 +34,11 @@ SMALLEST_FREEDOM = 1.0
 class Part:
     """Rows of one stretch without gap.
 
-    columns: (n,) of each term by its name; a term without a column is zero here.
-    values: (n,) to be fitted.
-    interval: length of a row, s.
-    channel: name; parts of the same channel have the same noise densities.
+    Attributes:
+        columns: (n,) of each term by its name; a term without a column is zero here.
+        values: (n,) to be fitted.
+        interval: length of a row, s.
+        channel: name; parts of the same channel have the same noise densities.
     """
 
     columns: Mapping[str, Array]
@@ -91,9 +92,10 @@ def fit_rows(parts: Sequence[Part], names: Sequence[str]) -> Fit:
 class _Problem:
     """The fit after the sine transform.
 
-    values: (n,).
-    matrix: (n, m) columns of the terms.
-    components: (c, n) variance of each row per unit of each of the c densities.
+    Attributes:
+        values: (n,).
+        matrix: (n, m) columns of the terms.
+        components: (c, n) variance of each row per unit of each of the c densities.
     """
 
     values: Array

@@ -1,5 +1,5 @@
-"""Sizes that are measured with noise: lengths, amplitudes, anisotropies, the largest of means, the
-standard deviation of values that differ by more than their noise.
+"""Estimates of sizes that are measured with noise: lengths, amplitudes, anisotropies, the largest
+of means, the standard deviation of values that differ by more than their noise.
 
 Their 95 % intervals are also correct near zero.
 """

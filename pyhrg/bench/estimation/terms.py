@@ -28,9 +28,10 @@ straight line deviates from the map by less than 0.06 % of the map's amplitude."
 class PatternBasis:
     """Basis functions for the bias against the pattern angle: a fourth harmonic.
 
-    columns: (n,) each, beside the constant one.
-    angle: pattern angle, rad, at which the constant is the bias; None where the constant is the
-        mean over the circumference.
+    Attributes:
+        columns: (n,) each, beside the constant one.
+        angle: pattern angle, rad, at which the constant is the bias; None where the constant is the
+            mean over the circumference.
     """
 
     columns: dict[str, Array]

@@ -1,4 +1,4 @@
-"""Amplitude sweep with the table turning: what grows with the square of the amplitude.
+"""Amplitude sweep with the table turning: errors that grow with the square of the amplitude.
 
 A Duffing stiffness moves the loop frequency by its shift at unit amplitude times a^2; a cubic
 pick-off b turns the detected angle by -(3/32) b a^2 sin 8th. A differential phase gives an eighth

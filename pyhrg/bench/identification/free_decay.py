@@ -32,10 +32,13 @@ error, or than rounding."""
 class Decay:
     """One ring-down: rows after the drive was switched off at time 0, in a known rotation.
 
-    time: (n,) s; turned: (n,) of the pattern, rad; amplitude: (n,).
-    angle_at_start: of the pattern, rad.
-    rotation: of the case, rad/s.
-    left_out: duration of its later rows that `cut` took away, s.
+    Attributes:
+        time: (n,) s.
+        turned: (n,) of the pattern, rad.
+        amplitude: (n,).
+        angle_at_start: pattern angle at the start, rad.
+        rotation: rotation rate of the case, rad/s.
+        left_out: duration of its later rows that `cut` took away, s.
     """
 
     source: str
@@ -104,10 +107,11 @@ def _decay(log: Log, before: int, last: int, site: Site, k: float) -> Decay:
 
 @dataclass(frozen=True)
 class Gyro:
-    """What else decides what the ring-down looks like.
+    """Known parameters of the gyro that a ring-down depends on.
 
-    k: Bryan factor.
-    pickoff: g + i d.
+    Attributes:
+        k: Bryan factor.
+        pickoff: g + i d.
     """
 
     k: float

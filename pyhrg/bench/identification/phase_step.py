@@ -1,4 +1,4 @@
-"""Steps of the demodulation phase: how much bias the split makes of a phase error.
+"""Steps of the demodulation phase: the bias that a frequency split makes of a phase error.
 
 The quadrature force N = (dw/2) a sin 4(th - th_w) leaks into the rotation by the phase error p plus
 the commanded offset: the output has -(p + offset) N/(2 k a). The steps give the slope against the

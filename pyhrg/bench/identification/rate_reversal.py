@@ -1,9 +1,9 @@
-"""Table rate both ways: errors of the pick-offs, which reverse with the rate as the bias does not.
+"""Table rate in both directions: errors of the pick-offs reverse with the rate, the bias does not.
 
-A gain mismatch g and a non-orthogonality d turn the detected angle by -(g/4) sin 4th +
-(d/4)(1 + cos 4th), so that the output errs by -g W cos 4th - d W sin 4th at a rate W; a cubic b and
-a differential phase with a split give the eighth harmonic. Drives and damping do not: they give
-the bias map, the same at either rate.
+A gain mismatch g and a non-orthogonality d turn the detected angle by -(g/4) sin 4th + (d/4)(1 +
+cos 4th), so that the output errs by -g W cos 4th - d W sin 4th at a rate W; a cubic b and a
+differential phase with a split give the eighth harmonic. Drives and damping do not: they give the
+bias map, the same at either rate.
 """
 
 from collections.abc import Sequence

@@ -1,10 +1,10 @@
-"""Ring-downs: what the shell does by itself, drives off.
+"""Ring-downs: free decay of the shell with the drives off.
 
 The pattern moves and its amplitude decays by damping, split and rotation alone, so that the damping
 anisotropy is separated from every error of the drives and, nearly, of the pick-offs. Without the
 quadrature loop the split makes quadrature, which turns the pattern too: decay, damping anisotropy
-and split are fitted together, to angle and amplitude, by the closed form of `free_orbit`.
-Where the pattern stays near one angle, only the part of the anisotropy that moves it is seen well.
+and split are fitted together, to angle and amplitude, by the closed form of `free_orbit`. Where the
+pattern stays near one angle, only the part of the anisotropy that moves it is seen well.
 
 With dw = 0: tan 2(th - th_tau) = tan 2(th0 - th_tau) e^{D t}.
 """

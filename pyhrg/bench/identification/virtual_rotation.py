@@ -1,8 +1,8 @@
-"""Virtual rotation both ways: errors of the drives, seen in a rotation that is commanded.
+"""Virtual rotation in both directions: errors of the drives, seen in a commanded rotation.
 
-A commanded rotation V (input-referred) shows in the output as V (-e + (g + gd)/2 cos 4th +
-(d + nd)/2 sin 4th): gain error e, and mismatches of pick-offs and drives together. It changes its
-sign with V, the bias map does not.
+A commanded rotation V (input-referred) shows in the output as V (-e + (g + gd)/2 cos 4th + (d +
+nd)/2 sin 4th): gain error e, and mismatches of pick-offs and drives together. It changes its sign
+with V, the bias map does not.
 """
 
 import numpy as np

@@ -1,1 +1,1 @@
-"""Random walk and its kin."""
+"""Tests of the gyro's noise."""

@@ -1,4 +1,5 @@
-"""Stretches of logs that show noise: table at rest, commands constant; their coefficients."""
+"""Stretches of logs that show noise (table at rest, commands constant), and their noise
+coefficients."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -24,12 +25,13 @@ CREEPING = (4,)
 class NoiseRecord:
     """A stretch with constant commands and the table at rest.
 
-    source: the log.
-    interval: of its rows, s.
-    rotation: commanded virtual rotation as an input rate, rad/s.
-    swept: change of the pattern angle, rad.
-    spectrum: of the output angle, from which rate, ramp and harmonics of the pattern angle are
-        estimated as well.
+    Attributes:
+        source: log that holds the stretch.
+        interval: length of the log's rows, s.
+        rotation: commanded virtual rotation as an input rate, rad/s.
+        swept: change of the pattern angle, rad.
+        spectrum: spectrum of the output angle; rate, ramp and harmonics of the pattern angle are
+            estimated with it.
     """
 
     source: str
@@ -114,9 +116,10 @@ def select_comparable(records: Sequence[NoiseRecord]) -> tuple[list[NoiseRecord]
 
 @dataclass(frozen=True)
 class Noise:
-    """What one state of the gyro has shown.
+    """Noise of one state of the gyro.
 
-    records: that share the coefficients, at one interval.
+    Attributes:
+        records: records that share the coefficients, at one interval.
     """
 
     records: tuple[NoiseRecord, ...]

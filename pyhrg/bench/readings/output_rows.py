@@ -32,9 +32,10 @@ SHORTEST_ROWS = 20
 class Rows:
     """n consecutive rows of a log.
 
-    log: one power-on.
-    first, last: the rows are [first, last); `first` is at least 1, for the row before it gives the
-        readings at their beginning.
+    Attributes:
+        log: log of one power-on.
+        first, last: the rows are [first, last); `first` is at least 1, for the row before it gives
+            the readings at their beginning.
     """
 
     log: Log
@@ -125,8 +126,9 @@ def read_bryan_factor(campaign: Campaign) -> float:
 class Terms:
     """A fit of the terms that the records can separate.
 
-    refused: by name, a sentence on each term that they can't.
-    parts: that the fit is made of.
+    Attributes:
+        refused: a sentence on each term that the records can't separate, by the term's name.
+        parts: parts of the rows that the fit is made of.
     """
 
     fit: Fit

@@ -19,8 +19,10 @@ encoder angles to six decimals of a degree makes."""
 class Plateau:
     """A stretch at a constant table rate.
 
-    rate: of the table, rad/s.
-    first, last: rows of the log; the stretch lasts from the end of `first` to the end of `last`.
+    Attributes:
+        rate: rate of the table, rad/s.
+        first, last: rows of the log; the stretch lasts from the end of `first` to the end of
+            `last`.
     """
 
     rate: float

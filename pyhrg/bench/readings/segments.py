@@ -35,13 +35,14 @@ AT_REST = 1e-3 * DEG
 class Points:
     """n data points; arrays are (n,) except the specific force.
 
-    rate: mean output rate less Earth's rate on the input axis, rad/s.
-    pattern_angle, table_angle: means, rad.
-    acceleration: (n, 3) mean specific force, m/s2.
-    time: middle of the part, since power-on, s.
-    duration: of the part, s.
-    first, last: rows of the log between whose angle readings the rate is taken.
-    dwell: number of the dwell or position in the log.
+    Attributes:
+        rate: mean output rate less Earth's rate on the input axis, rad/s.
+        pattern_angle, table_angle: means, rad.
+        acceleration: (n, 3) mean specific force, m/s2.
+        time: middle of the part, since power-on, s.
+        duration: duration of the part, s.
+        first, last: rows of the log between whose angle readings the rate is taken.
+        dwell: number of the dwell or position in the log.
     """
 
     rate: Array

@@ -35,11 +35,12 @@ WHOLE_PERIOD = 1 - 1e-6
 class Turn:
     """A stretch at one table rate; arrays are (n,), at the ends of its rows, angles in rad.
 
-    source: the log.
-    interval: of its rows, s.
-    time: s.
-    input_angle: rotation of the input axis since the beginning, Earth's included.
-    excess: change of the gyro angle since the beginning, less the input angle.
+    Attributes:
+        source: the log.
+        interval: length of the log's rows, s.
+        time: time at the ends of the rows, s.
+        input_angle: rotation of the input axis since the beginning, Earth's included.
+        excess: change of the gyro angle since the beginning, less the input angle.
     """
 
     source: str
@@ -148,11 +149,12 @@ SLOWEST = math.radians(1.0)
 class Spin:
     """A stretch at a constant table rate.
 
-    rate: of the table, rad/s.
-    scale_factor: gyro angle over table angle, without Earth's rate.
-    harmonic: of the scale-factor error over the pattern angle th: it is the real part of
-        harmonic exp(-4i th).
-    first, last: rows of the log.
+    Attributes:
+        rate: rate of the table, rad/s.
+        scale_factor: gyro angle over table angle, without Earth's rate.
+        harmonic: complex amplitude of the scale-factor error over the pattern angle th, which is
+            the real part of harmonic exp(-4i th).
+        first, last: rows of the log.
     """
 
     rate: float

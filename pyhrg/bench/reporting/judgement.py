@@ -13,7 +13,8 @@ from pyhrg.common.pages.svg import format_interval
 class Judgement:
     """A finding beside its limit.
 
-    limit: of the finding's magnitude, in the unit that the finding's key names.
+    Attributes:
+        limit: limit of the finding's magnitude, in the unit that the finding's key names.
     """
 
     finding: Finding

@@ -12,10 +12,11 @@ from pyhrg.common.pages.markup import Table
 class Row:
     """A row of Table 1.
 
-    term: in English.
-    printed: the term as the paper prints it.
-    procedure, finding: the test and its finding that give the figure.
-    reason: why no test gives the figure.
+    Attributes:
+        term: the term in English.
+        printed: the term as the paper prints it.
+        procedure, finding: the test and its finding that give the figure.
+        reason: why no test gives the figure.
     """
 
     term: str

@@ -1,4 +1,4 @@
-"""What a user holds after a run: the result of a test, and the results of all tests."""
+"""Results of a run: of one test, and of all tests."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -34,13 +34,15 @@ COLUMNS = ("name", "value", "unit", "low_95", "high_95", "n", "target", "verdict
 
 @dataclass(frozen=True)
 class TestResult:
-    """Result of one test.
+    """Result of one test of the bench.
 
-    outcome: what the procedure gave, in SI.
-    records: the campaign that was evaluated; None where the result was read from a file.
-    identity: device, digest of its parameters, seed and versions, by keys of result.json.
-    limits: the specification's, by the findings' keys.
-    export: the device as the test makes it (a calibrated one); None where the test makes none.
+    Attributes:
+        procedure: the test.
+        outcome: findings, tables and warnings of the test, in SI.
+        records: the campaign that was evaluated; None where the result was read from a file.
+        identity: device, digest of its parameters, seed and versions, by the keys of `result.json`.
+        limits: limits of the specification, by the findings' keys.
+        export: the device that the test makes (a calibrated one); None where it makes none.
     """
 
     __test__: ClassVar[bool] = False  # not one of pytest's
@@ -87,8 +89,9 @@ class TestResult:
 
     @property
     def rows(self) -> pd.DataFrame:
-        """Rows of the test's tables as they are printed, numbers as numbers; of several tables, one
-        below the other, with a column `table` that names each. Empty where there is none."""
+        """Rows of the test's printed tables, with numbers as numbers; empty where there is none.
+        Several tables stand one below the other, and a column `table` names each.
+        """
         frames = [_make_frame(table) for table in self.outcome.tables]
         if len(frames) < 2:
             return frames[0] if frames else pd.DataFrame()
@@ -98,12 +101,12 @@ class TestResult:
 
     @property
     def points(self) -> pd.DataFrame:
-        """Data points of a bias test, 100 s means, units in `attrs["units"]`; empty for other tests
-        and for results read from a file.
+        """Data points of a bias test (100 s means), with units in `attrs["units"]`. Empty for other
+        tests and for results read from a file.
 
-        `run`, `position`, `time_s`, `pattern_angle_deg` (0 to 180), `table_angle_deg`,
-        `bias_deg_per_h` (output less Earth's rate) and its one-sigma `sigma_deg_per_h`: the
-        standard deviation of a position's points, pooled over positions and runs; NaN where each
+        Columns: `run`, `position`, `time_s`, `pattern_angle_deg` (0 to 180), `table_angle_deg`,
+        `bias_deg_per_h` (output less Earth's rate), and its one-sigma `sigma_deg_per_h`. The sigma
+        is the standard deviation within a position, pooled over positions and runs; NaN where each
         has one point. The figure of the full circumference shows `bias_without_tilt_deg_per_h`.
         """
         return self.outcome.points
@@ -112,8 +115,7 @@ class TestResult:
         """Draw the test's figure.
 
         Args:
-            ax: of a grid (`plt.subplots`), whose place the figure takes; a figure of its own if
-                None.
+            ax: axes of a grid (`plt.subplots`) that the figure replaces; None makes a new figure.
 
         Returns:
             The axes that were drawn; their units are in the labels.
@@ -126,8 +128,9 @@ class TestResult:
         return draw_in_place(self.outcome.draw, ax)
 
     def write(self, folder: Path | str) -> None:
-        """Write result.json, figure.png, the logs where they are simulated and device.toml where
-        the test makes one; an earlier result in the folder is replaced as a whole.
+        """Write `result.json` and `figure.png` into a folder; the logs too if they are simulated,
+        and `device.toml` if the test makes a device. An earlier result in the folder is replaced
+        as a whole.
 
         Raises:
             HrgError: the folder holds something else than a result.
@@ -168,11 +171,12 @@ class TestFailure:
 
 @dataclass(frozen=True)
 class BenchResults:
-    """Results of the tests of one gyro.
+    """Results of several tests of one gyro.
 
-    subject: the gyro, and where its records are from.
-    attempts: results and failures, in the order of the tests.
-    limits: the specification's, by the findings' keys.
+    Attributes:
+        subject: the gyro, and where its records are from.
+        attempts: results and failures, in the order of the tests.
+        limits: limits of the specification, by the findings' keys.
     """
 
     subject: str
@@ -186,7 +190,7 @@ class BenchResults:
 
     @property
     def failures(self) -> dict[str, str]:
-        """By name of a test that gave no figures, the reason."""
+        """Reason of each test that gave no figures, by the test's name."""
         failed = [attempt for attempt in self.attempts if isinstance(attempt, TestFailure)]
         return {failure.procedure.name: failure.reason for failure in failed}
 

@@ -104,8 +104,9 @@ ORDERS = (4, 2, 8)
 class ScaleFactorMap:
     """Fit of the map to all turns of a test.
 
-    orders: harmonics that the turns can separate.
-    refused: a sentence on each term that they can't.
+    Attributes:
+        orders: harmonics that the turns can separate.
+        refused: a sentence on each term that they can't.
     """
 
     turns: tuple[Turn, ...]

@@ -38,7 +38,8 @@ ORDERS = (4, 2, 8)
 class Sweep(Turn):
     """A turn of the table, or a rest, at constant virtual rotation.
 
-    virtual_rotation: as an input rate, rad/s; 0 without.
+    Attributes:
+        virtual_rotation: commanded rotation as an input rate, rad/s; 0 for a rest.
     """
 
     virtual_rotation: float
@@ -119,11 +120,12 @@ def select_orders(sweeps: Sequence[Sweep], kinds: Sequence[str]) -> tuple[int, .
 class Cycle:
     """One mean of the output at rest.
 
-    rate: rad/s, Earth's taken out.
-    length: averaging time, s.
-    pattern_angle: at the beginning, rad.
-    gain: error of the virtual rotation; NaN without.
-    period: of pattern that a sweep went through, rad; 0 without.
+    Attributes:
+        rate: mean output rate less Earth's rate, rad/s.
+        length: averaging time, s.
+        pattern_angle: pattern angle at the beginning, rad.
+        gain: gain error of the virtual rotation; NaN for a rest.
+        period: pattern angle that a sweep went through, rad; 0 for a rest.
     """
 
     rate: float

@@ -1,9 +1,9 @@
-"""Self-calibration by virtual rotation: what it gains and what it costs (paper 2.5 and 4.2).
+"""Self-calibration by virtual rotation: its gain and its cost (paper 2.5 and 4.2).
 
 The drives turn the pattern by whole periods of the bias map, one way and back. The mean of such a
-cycle is the bias over the circumference: its harmonics average out, and so does the gain error of
-the rotation, which changes its sign. Off, the bias is that of the angle at which the pattern was
-left. The noise of the rotation is the price: an angle random walk of V sqrt(S).
+cycle is the bias over the circumference. The harmonics average out, and so does the gain error of
+the rotation, which changes its sign. Without rotation, the bias is that of the pattern's angle. The
+cost is the noise of the rotation: an angle random walk of V sqrt(S).
 """
 
 from collections.abc import Sequence

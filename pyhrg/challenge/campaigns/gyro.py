@@ -22,17 +22,19 @@ AXES = {"amplitude": "amplitude", "quadrature": "quadrature"}
 
 @dataclass(frozen=True)
 class Disturbance:
-    """A disturbance of gyro or bench that is no parameter of the device; none by default.
+    """A disturbance of gyro or bench that is no parameter of the device; by default none.
 
-    model: parameters of the FMU, by its names, SI.
-    rate: function of the course and the true start angle that returns an added input rate, (n, m)
-        or (1, 1), rad/s.
-    inputs: function of the same that returns inputs (n,) that hold over a row and differ from the
-        bench's command, by their names in a programme, SI.
-    rate_at_amplitude: function of the same and of the amplitude of the vibration, (n, m), that
-        returns another added input rate, (n, m), rad/s.
-    change_at_amplitude: function of the simulated log and the same three that returns the true log.
-    shown: function of the true log that returns the log as the bench writes it.
+    Attributes:
+        model: parameters of the FMU, by its names, SI.
+        rate: function of the course and the true start angle that returns an added input rate, (n,
+            m) or (1, 1), rad/s.
+        inputs: function of the same that returns inputs (n,) that hold over a row and differ from
+            the bench's command, by their names in a programme, SI.
+        rate_at_amplitude: function of the same and of the amplitude of the vibration, (n, m), that
+            returns another added input rate, (n, m), rad/s.
+        change_at_amplitude: function of the simulated log and the same three that returns the true
+            log.
+        shown: function of the true log that returns the log as the bench writes it.
     """
 
     model: Mapping[str, float] = field(default_factory=dict)

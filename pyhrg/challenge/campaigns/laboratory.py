@@ -1,4 +1,4 @@
-"""How a laboratory differs from an ideal one: nominal values and bench are a little wrong.
+"""Errors of a laboratory: nominal values and bench differ a little from the truth.
 
 Written without use of the replay that a diagnosis makes of such records.
 """
@@ -37,8 +37,9 @@ TEMPERATURE_STEP = 0.01
 class Laboratory:
     """One laboratory; an ideal one by default.
 
-    level: largest error of each value, in its tolerance; it scales the recorder's faults too.
-    errors: true less nominal value of a field of a device, by field, SI.
+    Attributes:
+        level: largest error of each value, in its tolerance; it scales the recorder's faults too.
+        errors: true less nominal value of a field of a device, by field, SI.
     """
 
     level: float = 0.0

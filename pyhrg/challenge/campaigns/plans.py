@@ -38,7 +38,7 @@ class Plan:
 
 @dataclass(frozen=True)
 class Variation:
-    """Begins programmes for a device, and draws their numbers; data: of `AMOUNTS`."""
+    """Begins programmes for a device, and draws their numbers; `data` is a key of `AMOUNTS`."""
 
     device: Device
     generator: np.random.Generator

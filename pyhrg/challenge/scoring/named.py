@@ -1,4 +1,5 @@
-"""What a diagnosis names, held against the truth: classes, families, and the field's measures."""
+"""Effects that a diagnosis names, compared with the truth: classes, families, and the field's
+measures."""
 
 import math
 from collections.abc import Iterable, Sequence

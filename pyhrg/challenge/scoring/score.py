@@ -1,4 +1,4 @@
-"""Compares diagnoses with truths; calibration of the stated probabilities."""
+"""Compares diagnoses with truths, and checks the calibration of the stated probabilities."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -104,7 +104,7 @@ STRENGTH_EDGES = (1.0, 1.5, 2.0, 3.0, 4.0, DETECTION_SIGMAS, 10.0, 20.0, math.in
 
 @dataclass(frozen=True)
 class CurvePoint:
-    """Singles within a range of strengths, sigmas: how many were rightly named."""
+    """Single effects within a range of strengths, sigmas, and the number that was rightly named."""
 
     low: float
     high: float

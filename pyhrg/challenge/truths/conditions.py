@@ -1,4 +1,4 @@
-"""What a gyro meets in a test, on which a form of error may depend."""
+"""Conditions of a test that a form of error may depend on."""
 
 from dataclasses import dataclass
 

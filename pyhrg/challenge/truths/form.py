@@ -29,9 +29,10 @@ FORMS_MODULE = "pyhrg.challenge.truths.outside"
 class Form:
     """A form of error that the catalogue lacks.
 
-    place: where it acts, of `PLACES`.
-    coordinate: in which it shows, by the name of the record format.
-    reason: why a laboratory may meet it, a sentence.
+    Attributes:
+        place: place where the form acts, one of `PLACES`.
+        coordinate: coordinate in which the form shows, by its name in the record format.
+        reason: why a laboratory may meet it, a sentence.
     """
 
     name: str

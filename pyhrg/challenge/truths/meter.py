@@ -46,11 +46,12 @@ Residual = dict[str, Array]
 class NominalTest:
     """A test of the nominal device, without a gap.
 
-    rows: (n,) by channel: rows that are compared.
-    slopes: (n,) by channel: change of the simulated channel with the present pattern angle, per
-        rad; zero for the output angle.
-    carrier_terms: (n,) by channel: what the average over a carrier period leaves out. A record may
-        contain it or not, so it counts as noise of this shape.
+    Attributes:
+        rows: (n,) by channel: rows that are compared.
+        slopes: (n,) by channel: change of the simulated channel with the present pattern angle, per
+            rad; zero for the output angle.
+        carrier_terms: (n,) by channel: what the average over a carrier period leaves out. A record
+            may contain it or not, so it counts as noise of this shape.
     """
 
     log: Log
@@ -70,12 +71,13 @@ class Meter:
     simulated at the pattern angle that the output angle shows. Rows with moving loops are left out,
     because settled loops don't show them.
 
-    simulation: both fidelities.
-    nominal: the nominal device.
-    tests: course and start angle, rad, of each test that a diagnosis may fit.
-    laboratories: one for each parameter that is known within a tolerance, with that parameter off
-        by one standard deviation. What these parameters imitate of a gap within their tolerances
-        counts as noise.
+    Attributes:
+        simulation: both fidelities.
+        nominal: the nominal device.
+        tests: course and start angle, rad, of each test that a diagnosis may fit.
+        laboratories: one for each parameter that is known within a tolerance, with that parameter
+            off by one standard deviation. What these parameters imitate of a gap within their
+            tolerances counts as noise.
     """
 
     simulation: Simulation

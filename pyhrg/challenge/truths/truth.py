@@ -46,17 +46,19 @@ LOG_SIZE_STEP = math.log(2)
 class Truth:
     """The answer to a case.
 
-    kind: one of `KINDS`.
-    effects: names of the true effects; empty where a form outside the catalogue is true.
-    parameters: total values of the effects' parameters, by the campaign format's names and units.
-    strengths: strength of each effect alone, or of the form beyond the catalogue, sigmas.
-    form: name of the form outside the catalogue.
-    coordinate: in which this form shows.
-    place: where this form acts.
-    size: of this form, in typical sizes.
-    stand_ins: effects that these tests can't separate from the effect that was left out.
-    holdout_noise_arcsec: rms of the true noise in the output angle of the held-out tests.
-    beyond: known parameters that are off by more than their tolerance.
+    Attributes:
+        kind: one of `KINDS`.
+        effects: names of the true effects; empty where a form outside the catalogue is true.
+        parameters: total values of the effects' parameters, by the campaign format's names and
+            units.
+        strengths: strength of each effect alone, or of the form beyond the catalogue, sigmas.
+        form: name of the form outside the catalogue.
+        coordinate: coordinate in which the form shows.
+        place: place where the form acts.
+        size: size of the form, in typical sizes.
+        stand_ins: effects that these tests can't separate from the effect that was left out.
+        holdout_noise_arcsec: rms of the true noise in the output angle of the held-out tests.
+        beyond: known parameters that are off by more than their tolerance.
     """
 
     kind: str
@@ -85,8 +87,9 @@ class TrueState:
 class Drawing:
     """Draws truths of one gyro.
 
-    strengths: range of the effects' strengths, sigmas; their logarithm is drawn uniformly.
-    effects: names of the effects that may be drawn.
+    Attributes:
+        strengths: range of the effects' strengths, sigmas; their logarithm is drawn uniformly.
+        effects: names of the effects that may be drawn.
     """
 
     meter: Meter

@@ -10,10 +10,12 @@ from pyhrg.device.parameters.resonator import ResonatorParameters
 
 @dataclass(frozen=True)
 class LoopAndBenchParameters(ResonatorParameters):
-    """The shell's; what the loops hold, how fast, and what they do not do as told; noise,
-    input-referred by the coefficients of IEEE Std 952; how the gyro stands on the turntable, where
-    its vibration starts, and what the bench's instruments read wrongly, which the FMU does not
-    have. SI."""
+    """Parameters of the resonator, and of loops, noise and bench; SI.
+
+    These are what the loops hold, their speed and their errors; noise, input-referred by the
+    coefficients of IEEE Std 952; the gyro's place on the turntable and its start angle; and errors
+    of the bench's instruments, which the FMU does not have.
+    """
 
     amplitude: float = parameter(
         1.0, key="amplitude", limits=(0.01, 10), fmu=("startAmplitude", "amplitudeSetpoint")
@@ -74,7 +76,7 @@ class LoopAndBenchParameters(ResonatorParameters):
     )
     """Time at rest between sweeps, s."""
     control_period: float = parameter(1e-3, key="control_period_s", limits=(1e-3, 1e-3))
-    """Period of the control electronics [Ts], s; the FMU knows this one alone."""
+    """Period of the control electronics [Ts], s; the FMU has no other."""
     loop_delay: float = parameter(
         key="loop_delay_s",
         limits=(0, 0.1),
@@ -165,7 +167,7 @@ class LoopAndBenchParameters(ResonatorParameters):
     power_on_angle: float = parameter(key="power_on_angle_deg", unit=DEG, limits=(-360, 360))
     """Pattern angle at which the electronics start the vibration, rad."""
     power_on_scatter: float = parameter(key="power_on_scatter_deg", unit=DEG, limits=(0, 45))
-    """Standard deviation of that angle from one power-on to the next, rad."""
+    """Standard deviation of the power-on angle from one power-on to the next, rad."""
     frequency_error: float = parameter(
         key="frequency_error_Hz",
         unit=HZ,
@@ -187,7 +189,7 @@ class LoopAndBenchParameters(ResonatorParameters):
         ),
     )
     """Time constant of the thermometer's reading behind the case, s. A gradient in the chamber that
-    grows with the temperature's rate does the same."""
+    grows with the temperature's rate has the same effect."""
     thermometer_gain: float = parameter(
         key="thermometer_gain",
         limits=(-0.5, 0.5),
@@ -196,7 +198,7 @@ class LoopAndBenchParameters(ResonatorParameters):
         ),
     )
     """Change of the reading over the change of the case's temperature, less one. A gradient in the
-    chamber that grows with its distance from the room's temperature does the same."""
+    chamber that grows with its distance from the room's temperature has the same effect."""
     latitude_error: float = parameter(
         key="latitude_error_deg",
         unit=DEG,
@@ -205,8 +207,8 @@ class LoopAndBenchParameters(ResonatorParameters):
             "site_latitude", "bench", 0.1 * DEG, 0.01 * DEG, imitators=("table_axis_tilt",)
         ),
     )
-    """True less stated latitude of the site, rad. A tilt of the table's axis to the north does the
-    same to an upright axis."""
+    """True less stated latitude of the site, rad. A tilt of the table's axis to the north has the
+    same effect on an upright axis."""
     encoder_eccentricity: float = parameter(
         key="encoder_eccentricity_arcsec",
         unit=ARCSEC,
@@ -224,7 +226,7 @@ class LoopAndBenchParameters(ResonatorParameters):
     encoder_eccentricity_phase: float = parameter(
         key="encoder_eccentricity_phase_deg", unit=DEG, limits=(-360, 360)
     )
-    """Phase of that error, rad: the true rate is the one read times 1 + a cos(reading + phase)."""
+    """Phase of that error, rad: the true rate is the rate read times 1 + a cos(reading + phase)."""
     clock_latency: float = parameter(
         key="clock_latency_s",
         limits=(-1, 1),
@@ -237,7 +239,7 @@ class LoopAndBenchParameters(ResonatorParameters):
         limits=(-1e5, 1e5),
         tolerance=ToleranceDeclaration("clock_rate", "record", 10 * PPM, 1 * PPM),
     )
-    """Growth of that time with the time since power-on, s/s."""
+    """Growth of `clock_latency` with the time since power-on, s/s."""
     table_tilt_east: float = parameter(
         key="table_axis_tilt_east_deg",
         unit=DEG,
@@ -246,5 +248,5 @@ class LoopAndBenchParameters(ResonatorParameters):
             "table_axis_tilt", "bench", 0.1 * DEG, 0.03 * DEG, imitators=("table_azimuth",)
         ),
     )
-    """Tilt of the table's upright axis to the east, rad: an input axis that should be level points
-    below the east by it. An error of the table's azimuth does the same."""
+    """Tilt of the table's upright axis to the east, rad, by which a level input axis points below
+    the east. An error of the table's azimuth has the same effect."""

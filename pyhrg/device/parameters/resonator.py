@@ -1,4 +1,4 @@
-"""Parameters of the resonator, of what reads its vibration and of what drives it."""
+"""Parameters of the resonator, its pick-offs and its drives."""
 
 from dataclasses import dataclass
 
@@ -8,20 +8,20 @@ from pyhrg.device.declarations import EffectDeclaration, ToleranceDeclaration, p
 
 @dataclass(frozen=True)
 class ResonatorParameters:
-    """The resonator with its temperature, then errors of what the electronics read, then errors of
-    the forces; SI, ratios on the modal axes, angles are physical pattern angles."""
+    """Parameters of the resonator, its temperature, pick-offs and drives. SI; ratios are on the
+    modal axes, angles are physical pattern angles."""
 
     bryan_factor: float = parameter(
         0.277, key="coriolis_factor", limits=(0.02, 0.9), fmu="controller.readout.bryanFactor"
     )
-    """Precession of the pattern over rotation of the case, as the electronics believe it [k]."""
+    """Angular gain (Bryan factor) that the electronics use [k]."""
     bryan_factor_error: float = parameter(
         key="coriolis_factor_error_ppm",
         unit=PPM,
         limits=(-1e5, 1e5),
         effect=EffectDeclaration("coriolis_factor_error", 100 * PPM, ("rate",), position=16),
     )
-    """True over believed Bryan factor, less one."""
+    """True angular gain over the one that the electronics use, less one."""
     decay_time: float = parameter(
         450.0,
         key="decay_time_s",
@@ -49,7 +49,7 @@ class ResonatorParameters:
             "damping_anisotropy", 1e-5, ("wave_angle",), position=1, angle="damping_axis", periods=4
         ),
     )
-    """1/tau1 - 1/tau2 between the axes of maximum and minimum damping [D], 1/s."""
+    """Damping anisotropy: 1/tau1 - 1/tau2 of the axes of maximum and minimum damping [D], 1/s."""
     damping_axis: float = parameter(
         key="damping_axis_deg", unit=DEG, limits=(-360, 360), fmu="resonator.material.dampingAxis"
     )
@@ -119,7 +119,8 @@ class ResonatorParameters:
         fmu="resonator.material.electrostaticCubic",
         effect=EffectDeclaration("electrostatic_cubic", 1e-3 * HZ, ("amplitude", "wave_angle")),
     )
-    """Softening of x and of y at unit amplitude of their own by eight electrodes [delta], rad/s."""
+    """Softening of x, and of y, by eight electrodes: decrease of its frequency at its own unit
+    amplitude [delta], rad/s."""
     thermal_lag: float = parameter(
         600.0,
         key="thermal_lag_s",
@@ -137,14 +138,14 @@ class ResonatorParameters:
         zero=ZERO_CELSIUS,
         fmu=("caseTemperature", "resonator.environment.referenceTemperature"),
     )
-    """Temperature that the parameters hold at, K."""
+    """Temperature at which the parameters hold, K."""
     pickoff_gain_mismatch: float = parameter(
         key="pickoff_gain_mismatch",
         limits=(-0.5, 0.5),
         fmu="pickOff.gainMismatch",
         effect=EffectDeclaration("pickoff_gain_mismatch", 1e-3, ("wave_angle",), position=3),
     )
-    """x reads (1 + g/2), y reads (1 - g/2) [g]."""
+    """Gain mismatch of the pick-offs: x reads (1 + g/2), y reads (1 - g/2) [g]."""
     pickoff_gain_per_kelvin: float = parameter(
         key="pickoff_gain_per_K",
         limits=(-0.01, 0.01),
@@ -153,7 +154,7 @@ class ResonatorParameters:
             "pickoff_gain_temperature", 1e-5, ("temperature", "wave_angle"), position=21
         ),
     )
-    """Change of g with temperature, 1/K."""
+    """Change of the pick-offs' gain mismatch with temperature, 1/K."""
     pickoff_gain_per_acceleration: float = parameter(
         key="pickoff_gain_per_g",
         unit=1 / STANDARD_GRAVITY,
@@ -163,14 +164,14 @@ class ResonatorParameters:
             "g_sensitive_gain", 1e-4 / STANDARD_GRAVITY, ("acceleration",), position=24
         ),
     )
-    """Change of g with specific force along x, s2/m."""
+    """Change of the pick-offs' gain mismatch with specific force along x, s2/m."""
     pickoff_nonorthogonality: float = parameter(
         key="pickoff_nonorthogonality",
         limits=(-0.5, 0.5),
         fmu="pickOff.nonOrthogonality",
         effect=EffectDeclaration("pickoff_nonorthogonality", 1e-3, ("wave_angle",), position=4),
     )
-    """y reads y + d x [d]."""
+    """Non-orthogonality of the pick-offs: y reads y + d x [d]."""
     pickoff_cubic: float = parameter(
         key="pickoff_cubic",
         limits=(-0.1, 0.1),
@@ -179,7 +180,7 @@ class ResonatorParameters:
             "pickoff_cubic_nonlinearity", 1e-3, ("amplitude", "wave_angle"), position=12
         ),
     )
-    """x reads x (1 + 3/4 b |x|^2), y alike [b]."""
+    """Cubic nonlinearity of the pick-offs: x reads x (1 + 3/4 b |x|^2), y likewise [b]."""
     sampling_skew: float = parameter(
         key="sampling_skew_s",
         limits=(-1e-3, 1e-3),
@@ -206,7 +207,7 @@ class ResonatorParameters:
         ),
         group="frequency_split_and_phase_errors",
     )
-    """Change of p with temperature, rad/K."""
+    """Change of that phase with temperature, rad/K."""
     differential_phase: float = parameter(
         key="differential_phase_rad",
         limits=(-1, 1),
@@ -214,21 +215,21 @@ class ResonatorParameters:
         effect=EffectDeclaration("differential_phase_error", 1e-2, ("wave_angle",), position=9),
         group="frequency_split_and_phase_errors",
     )
-    """Phase of x over that of y: x turned by half of it, y by minus half, rad."""
+    """Phase of x less that of y, rad: x is turned by half of it, y by minus half."""
     demodulation_offset: float = parameter(
         key="demodulation_offset",
         limits=(-0.1, 0.1),
         fmu="pickOff.offset",
         effect=EffectDeclaration("demodulation_offset", 1e-3, ("wave_angle",), position=11),
     )
-    """Added to the in-phase x channel [x0], amplitude units."""
+    """Offset of the in-phase x channel [x0], amplitude units."""
     demodulation_offset_y: float = parameter(
         key="demodulation_offset_y",
         limits=(-0.1, 0.1),
         fmu="pickOff.offsetY",
         group="demodulation_offset",
     )
-    """Added to the in-phase y channel [y0], amplitude units."""
+    """Offset of the in-phase y channel [y0], amplitude units."""
     feedthrough: float = parameter(
         key="feedthrough_s",
         limits=(-0.01, 0.01),
@@ -237,32 +238,32 @@ class ResonatorParameters:
             "drive_feedthrough", 1e-4, ("amplitude", "wave_angle"), position=14
         ),
     )
-    """Pick-offs read this time the force as well [c], s."""
+    """Feedthrough: pick-offs read the force as well, times this time [c], s."""
     drive_gain_mismatch: float = parameter(
         key="drive_gain_mismatch",
         limits=(-0.5, 0.5),
         fmu="drive.gainMismatch",
         effect=EffectDeclaration("drive_gain_mismatch", 1e-3, ("wave_angle",), position=5),
     )
-    """x drives (1 + gd/2), y drives (1 - gd/2) [gd]."""
+    """Gain mismatch of the drives: x drives (1 + gd/2), y drives (1 - gd/2) [gd]."""
     drive_nonorthogonality: float = parameter(
         key="drive_nonorthogonality",
         limits=(-0.5, 0.5),
         fmu="drive.nonOrthogonality",
         effect=EffectDeclaration("drive_nonorthogonality", 1e-3, ("wave_angle",), position=6),
     )
-    """y drives fy + nd fx [nd]."""
+    """Non-orthogonality of the drives: y drives fy + nd fx [nd]."""
     drive_frame_rotation: float = parameter(
         key="drive_frame_rotation_rad",
         limits=(-0.5, 0.5),
         fmu="drive.frameRotation",
         effect=EffectDeclaration("drive_frame_rotation", 1e-3, ("time",), position=7),
     )
-    """Force frame turned against the pick-offs' on the modal axes [e], rad."""
+    """Angle of the force frame against the pick-offs', on the modal axes [e], rad."""
     pump_anisotropy: float = parameter(
         key="pump_anisotropy", limits=(-0.5, 0.5), fmu="drive.pumpAnisotropy"
     )
-    """Parametric drive gives 1 + n along its axis, 1 - n across it [n]."""
+    """Anisotropy of parametric drive: it gives 1 + n along its axis, 1 - n across it [n]."""
     pump_axis: float = parameter(
         key="pump_axis_deg", unit=DEG, limits=(-360, 360), fmu="drive.pumpAxis"
     )

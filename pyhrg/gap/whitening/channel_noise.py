@@ -229,16 +229,18 @@ def _estimate_white_of_means(
     name: str, pairs: Sequence[tuple[ObservedTest, Array]], duration: float
 ) -> float:
     """Standard deviation of a row that makes the second differences of means over at least this
-    duration, s, from pairs of a test and its (n,) residual; infinite where there are too few."""
-    parts = []
+    duration, s, from pairs of a test and its (n,) residual: the median of tests, because a signal
+    widens it in some. Infinite where no test has enough means."""
+    deviations = []
     for test, residual in pairs:
         count = math.ceil(duration / test.log.interval)
         whole = len(residual) // count * count
         means = residual[:whole].reshape(-1, count).mean(axis=1)
-        rows = test.rows[name][:whole].reshape(-1, count).all(axis=1)
-        parts.append(_second_differences(means * math.sqrt(count), rows))
-    is_known = sum(map(len, parts)) >= MIN_DIFFERENCES
-    return _standard_deviation(parts) if is_known else math.inf
+        rows = np.asarray(test.rows[name][:whole].reshape(-1, count).all(axis=1))
+        differences = _second_differences(means * math.sqrt(count), rows)
+        if len(differences) >= MIN_DIFFERENCES:
+            deviations.append(_standard_deviation([differences]))
+    return float(np.median(deviations)) if deviations else math.inf
 
 
 def build_angle_noise(device: Device) -> NoiseModel:

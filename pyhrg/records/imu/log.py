@@ -1,6 +1,5 @@
-"""The log of an IMU: increments, which are what an IMU gives the navigator, columns of a log as a
-table (CSV, Parquet), and the numbers of its text files.
-"""
+"""The log of an IMU: increments, the columns of a log as a table (CSV, Parquet), and the numbers of
+its text files."""
 
 import io
 from collections.abc import Sequence
@@ -24,7 +23,9 @@ TIME = "time_s"
 class Quantity:
     """Three columns of one quantity: SI value = factor * value.
 
-    integral: whether a value is the integral over the interval (an increment) or the mean over it.
+    Attributes:
+        integral: whether a value is the integral over the interval (an increment) or the mean over
+            it.
     """
 
     name: str
@@ -82,10 +83,14 @@ def choose_quantity(source: str, header: Sequence[str], among: Sequence[Quantity
 
 @dataclass(frozen=True)
 class Increments:
-    """Sums over equal intervals, body axes (forward, right, down).
+    """Integrals of rotation rate and specific force over equal intervals, in body axes (forward,
+    right, down).
 
-    interval: s; rotation: (n, 3) integral of `omega_ib_b`, rad; velocity: (n, 3) integral of
-    the specific force `f_b`, m/s; start: time at the beginning of the first interval, s.
+    Attributes:
+        interval: length of an interval, s.
+        rotation: (n, 3) integral of `omega_ib_b`, rad.
+        velocity: (n, 3) integral of the specific force `f_b`, m/s.
+        start: time at the beginning of the first interval, s.
     """
 
     interval: float
@@ -122,12 +127,15 @@ MIN_ROWS = 10
 
 @dataclass(frozen=True)
 class RecordedImu:
-    """A log of an IMU.
+    """A recorded log of an IMU.
 
-    increments: body axes forward, right, down; position: (3,) latitude, longitude, rad, and
-    height, m; None if the log states none; attitude: (3,) coarse roll, pitch and yaw at the
-    start, rad; None if the log states none; source: the file; pattern_angle: (n, 3) of whole-angle
-    gyros at the end of each interval, rad; None if the log has none.
+    Attributes:
+        increments: increments in body axes (forward, right, down).
+        position: (3,) latitude, longitude (rad), height (m); None if the log states none.
+        attitude: (3,) coarse roll, pitch and yaw at the start, rad; None if the log states none.
+        source: the file.
+        pattern_angle: (n, 3) pattern angles of whole-angle gyros at the end of each interval, rad;
+            None if the log has none.
     """
 
     increments: Increments

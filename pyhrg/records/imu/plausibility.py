@@ -1,4 +1,4 @@
-"""Values in another unit, axis or column than a log says, found by gravity and Earth's rate."""
+"""Finds values in another unit, axis or column than a log says, by gravity and Earth's rate."""
 
 import itertools
 from dataclasses import dataclass
@@ -44,9 +44,13 @@ deg of latitude; a vehicle that turns steadily without bank has none."""
 class Readings:
     """Readings of gyros and accelerometers, as means over intervals in the file's units.
 
-    source: the file; interval: s; gyros, accelerometers: quantities that the file states;
-    rate, force: (n, 3) in the file's unit, an increment's over s; body axes forward, right, down;
-    z: where the file's own z axis points.
+    Attributes:
+        source: the file.
+        interval: s.
+        gyros, accelerometers: quantities that the file states.
+        rate, force: (n, 3) in the file's unit, an increment's over s; body axes forward, right,
+            down.
+        z: direction of the file's own z axis.
     """
 
     source: str

@@ -21,10 +21,11 @@ from pyhrg.common.arrays import Array
 class MapDrift:
     """Coefficients of a gyro in flight less those of the bench, over the pattern angle itself.
 
-    common: (COUNT,) variance that is the same in all gyros;
-    relative: (COUNT,) variance per squared `compute_map_size`;
-    standard: (n, COUNT) drifts of the training triads' gyros, bench errors included, in units of
-    their standard deviations; a row is one gyro's.
+    Attributes:
+        common: (COUNT,) variance that is the same in all gyros.
+        relative: (COUNT,) variance per squared `compute_map_size`.
+        standard: (n, COUNT) drifts of the training triads' gyros, bench errors included, in units
+            of their standard deviations; a row is one gyro's.
     """
 
     common: Array

@@ -17,8 +17,11 @@ from pyhrg.common.pages import svg
 class Panel:
     """A figure beside others.
 
-    title: text; body: markup below the caption; notes: markup of further lines of the caption;
-    attributes: attributes of the element, each with a blank before it.
+    Attributes:
+        title: text.
+        body: markup below the caption.
+        notes: markup of further lines of the caption.
+        attributes: attributes of the element, each with a blank before it.
     """
 
     title: str

@@ -31,10 +31,11 @@ SIZE_TOLERANCE = 0.02
 class Sensitivity:
     """Fit of the bias by specific force and pattern angle.
 
-    points: the n data points.
-    basis: dependence on the pattern angle.
-    columns: (n,) each, of the fitted terms.
-    refused: by name, a sentence on each term that the records don't determine.
+    Attributes:
+        points: the n data points.
+        basis: dependence on the pattern angle.
+        columns: (n,) each, of the fitted terms.
+        refused: a sentence on each term that the records don't determine, by the term's name.
     """
 
     points: Points

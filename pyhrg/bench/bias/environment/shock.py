@@ -31,10 +31,11 @@ QUIET = 20.0
 class Pulse:
     """Response of the output angle to one pulse.
 
-    axis: of the pulse, x, y or z after its sign.
-    kept: lasting change of the angle, rad.
-    swing: largest deviation of the angle until it is read, rad.
-    valid: whether the output was valid throughout.
+    Attributes:
+        axis: axis of the pulse: x, y or z, after its sign.
+        kept: lasting change of the angle, rad.
+        swing: largest deviation of the angle until it is read, rad.
+        valid: whether the output was valid throughout.
     """
 
     axis: str

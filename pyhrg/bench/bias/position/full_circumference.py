@@ -48,10 +48,11 @@ class RestRateMap:
     """Output rate at rest less Earth's rate, by pattern angle. It holds the bias map and Earth's
     vertical rate times the map of the scale factor; `calibration_maps.fit_maps` separates them.
 
-    harmonics: orders that are fitted.
-    tilt: whether the tilt of the input axis is fitted.
-    fits: one for each run.
-    refused: a sentence on each term that the positions can't separate.
+    Attributes:
+        harmonics: orders that are fitted.
+        tilt: whether the tilt of the input axis is fitted.
+        fits: fit of each run.
+        refused: a sentence on each term that the positions can't separate.
     """
 
     harmonics: tuple[int, ...]
@@ -277,11 +278,13 @@ PROCEDURE: Procedure = Procedure(
     record=record,
     evaluate=evaluate,
     options=(
-        Option("positions", int, f"8, 16, 24, ... (default {POSITIONS})"),
+        Option("positions", int, f"number: 8, 16, 24, ... (default {POSITIONS})"),
         Option(
-            "spacing_deg", float, "of pattern from one to the next (default: separates most terms)"
+            "spacing_deg",
+            float,
+            "pattern angle from one to the next (default: separates most terms)",
         ),
-        Option("dwell_s", float, f"means at each, whole 100 s (default {SEGMENTS * SEGMENT:g})"),
-        Option("runs", int, f"power-ons (default {RUNS})"),
+        Option("dwell_s", float, f"time at each, whole 100 s (default {SEGMENTS * SEGMENT:g})"),
+        Option("runs", int, f"number of power-ons (default {RUNS})"),
     ),
 )

@@ -38,7 +38,8 @@ STARTS = np.arange(0.0, 90.0, 5.625) * DEG
 class PlanReport:
     """Bias stability (n,), rad/s, that a plan reports at start angles (n,), rad.
 
-    pattern_step: pattern angle between positions, rad.
+    Attributes:
+        pattern_step: pattern angle between positions, rad.
     """
 
     positions: int

@@ -44,9 +44,10 @@ LARGEST_TURNS = 40.0
 class Plan:
     """Positions of the pattern that the table reaches one after the other.
 
-    pattern_step: between neighbours, rad: by how much the pattern angle falls while the table turns
-        in its positive direction.
-    bryan_factor: angular gain of the gyro.
+    Attributes:
+        pattern_step: pattern angle between neighbouring positions, rad. The pattern angle falls by
+            it while the table turns in its positive direction.
+        bryan_factor: angular gain of the gyro.
     """
 
     positions: int

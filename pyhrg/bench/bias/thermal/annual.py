@@ -43,9 +43,10 @@ PAIRS = 3
 class Months:
     """A quantity that is measured once a month.
 
-    values: (n,) SI.
-    noise: standard deviation of a month's value by noise within the month, SI.
-    freedom: degrees of freedom of `noise`.
+    Attributes:
+        values: (n,) SI.
+        noise: standard deviation of a month's value by noise within the month, SI.
+        freedom: degrees of freedom of `noise`.
     """
 
     values: Array

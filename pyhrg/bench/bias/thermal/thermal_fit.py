@@ -31,10 +31,11 @@ the frequency to be used as a thermometer."""
 class Thermometer:
     """Temperature of the resonator in a log.
 
-    temperature: (n,) at the ends of the rows, K.
-    lag: time constant behind the case, s; NaN where the record doesn't show it.
-    frequency_per_kelvin: change of the loop frequency, rad/s/K; NaN where `lag` is.
-    note: what the lag is taken from.
+    Attributes:
+        temperature: (n,) at the ends of the rows, K.
+        lag: time constant behind the case, s; NaN where the record doesn't show it.
+        frequency_per_kelvin: change of the loop frequency, rad/s/K; NaN where `lag` is.
+        note: what the lag is taken from.
     """
 
     temperature: Array
@@ -114,10 +115,11 @@ PER_KELVIN, PER_RATE = "bias per kelvin", "temperature-rate bias"
 class Soak:
     """Bias at one temperature.
 
-    mean: rad/s, over the circumference where `whole` is true, else over the data points.
-    deviation: standard error of the mean, rad/s.
-    freedom: degrees of freedom of `deviation`.
-    n: number of data points.
+    Attributes:
+        mean: rad/s, over the circumference where `whole` is true, else over the data points.
+        deviation: standard error of the mean, rad/s.
+        freedom: degrees of freedom of `deviation`.
+        n: number of data points.
     """
 
     mean: float
@@ -131,14 +133,15 @@ class Soak:
 class Thermal:
     """Data points of all power-ons, and the fit of the bias to them.
 
-    points: the n data points.
-    temperature: (n,) of the resonator above the reference temperature, K.
-    rate, warming: (n,) rate of the case's and of the resonator's temperature, K/s.
-    soak: (n,) temperature of the data point's soak, degC; NaN on a ramp.
-    run: (n,) number of the data point's power-on.
-    thermometers: one for each power-on.
-    basis: dependence on the pattern angle.
-    refused: by name, a sentence on each term that the records can't separate.
+    Attributes:
+        points: the n data points.
+        temperature: (n,) temperature of the resonator above the reference temperature, K.
+        rate, warming: (n,) rate of the case's and of the resonator's temperature, K/s.
+        soak: (n,) temperature of the data point's soak, degC; NaN on a ramp.
+        run: (n,) number of the data point's power-on.
+        thermometers: temperature of the resonator in each power-on.
+        basis: dependence on the pattern angle.
+        refused: a sentence on each term that the records can't separate, by the term's name.
     """
 
     points: Points

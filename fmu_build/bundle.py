@@ -116,7 +116,7 @@ def _fetch_fmu(root: Root, fmi: int, platforms: Sequence[str], progress: Progres
         folder = f"{_digest_build(root)[:16]}-fmi{fmi}-{'+'.join(platforms)}"
     path = find_cache_folder() / folder / f"{root.identifier}.fmu"
     if is_intact(path):
-        progress("unchanged, from cache")
+        progress(f"{path.name}: unchanged, from cache")
         return path
     if prebuilt:
         path.parent.mkdir(parents=True, exist_ok=True)

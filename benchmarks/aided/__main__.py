@@ -18,9 +18,9 @@ from scipy.stats import chi2
 
 from benchmarks.aided.bound import bound_triads
 from benchmarks.aided.drawn import filter_drawn
-from benchmarks.aided.flown import STUDY_SEED, AidedTriad, fly_triads
+from benchmarks.aided.flown import STUDY_SEED, AidedTriad, Told, fly_triads
 from ins_eval.study.experiment import load_fmu
-from ins_eval.study.gyros.drawn_triad import TriadDistribution
+from ins_eval.study.gyros.drawn_triad import AXES, TriadDistribution
 from ins_eval.study.gyros.population import RAW, TRIMMED
 from ins_eval.study.scores.resampling import bootstrap
 from pyhrg.common.arrays import Array
@@ -33,13 +33,13 @@ SEEN = 0.1
 variance."""
 
 
-def compute_nees(triad: AidedTriad) -> tuple[float, int, float, int]:
+def compute_nees(told: Told, true: Array) -> tuple[float, int, float, int]:
     """Normalised square of the harmonics' errors and its degrees: in the directions that the drive
     has seen, and in all."""
-    terms = triad.true.shape[1]
-    harmonics = np.flatnonzero(np.arange(triad.true.size) % terms)
-    error = (triad.told.coefficients - triad.true).ravel()[harmonics]
-    left, before = (m.joint[np.ix_(harmonics, harmonics)] for m in (triad.told, triad.prior))
+    terms = true.shape[1]
+    harmonics = np.flatnonzero(np.arange(true.size) % terms)
+    error = (told.maps.coefficients - true).ravel()[harmonics]
+    left, before = (m.joint[np.ix_(harmonics, harmonics)] for m in (told.maps, told.prior))
     scale = 1 / np.sqrt(np.diag(before))
     values, vectors = np.linalg.eigh(left * np.outer(scale, scale))
     squares = (vectors.T @ (scale * error)) ** 2 / values
@@ -53,16 +53,24 @@ def size_harmonics(errors: Array) -> float:
 
 
 def print_row(triad: AidedTriad) -> None:
-    square, degrees, every, all_degrees = compute_nees(triad)
+    square, degrees, every, count = compute_nees(triad.own, triad.true)
+    *_, benched, _ = compute_nees(triad.benched, triad.true)
     sizes = [
         size_harmonics(errors)
-        for errors in (triad.true, triad.told.coefficients - triad.true, triad.bench - triad.true)
+        for errors in (
+            triad.true,
+            *(each.maps.coefficients - triad.true for each in (triad.own, triad.benched)),
+            triad.bench - triad.true,
+        )
     ]
     print(
         f"{triad.mission:9s} NIS {triad.innovation:.3f}  NEES seen {square / max(degrees, 1):5.2f} "
-        f"of {degrees:2d}, all {every / all_degrees:5.2f}  map {sizes[0]:5.1f}, error "
-        f"{sizes[1]:5.1f}, bench {sizes[2]:5.1f} mdeg/h  hour: {triad.free:6.0f} m, uncorrected"
-        f" {triad.uncorrected:6.0f}, another's {triad.shuffled:6.0f}, alone {triad.alone:6.0f}",
+        f"of {degrees:2d}, all {every / count:5.2f}, with the bench {benched / count:5.2f}  map "
+        f"{sizes[0]:5.1f}, error {sizes[1]:5.1f}, with the bench {sizes[2]:5.1f}, bench alone "
+        f"{sizes[3]:5.1f} mdeg/h  hour: {triad.own.free:6.0f} m, with the bench "
+        f"{triad.benched.free:6.0f} ({triad.benched.used} maps used), with another's "
+        f"{triad.misled.free:6.0f} ({triad.misled.used} used), uncorrected {triad.uncorrected:6.0f}"
+        f", another's errors {triad.shuffled:6.0f}, alone {triad.alone:6.0f}",
         flush=True,
     )
 
@@ -91,23 +99,37 @@ def print_flown(method: str, count: int) -> None:
     for triad in fly_triads(fmus, distribution, LEARNING, count):
         print_row(triad)
         triads.append(triad)
-    squares, degrees, *_ = np.array([compute_nees(each) for each in triads]).T
-    low, high = chi2.ppf((0.005, 0.995), degrees.sum()) / degrees.sum()
-    print(
-        f"NEES of the directions seen: {squares.sum() / degrees.sum():.2f} of {degrees.sum():.0f} "
-        f"degrees, 99 % band {low:.2f} to {high:.2f}"
-    )
-    own = np.array([t.free for t in triads])
+    for name in ("own", "benched"):
+        nees = [compute_nees(getattr(each, name), each.true) for each in triads]
+        square, degrees, every, count = np.sum(nees, axis=0)
+        print(f"{name}: NEES of the directions seen {describe_nees(square, degrees)}")
+        print(f"{name}: NEES of all harmonics {describe_nees(every, count)}")
+    own = np.array([t.own.free for t in triads])
+    benched = np.array([t.benched.free for t in triads])
     for name in ("uncorrected", "alone"):
-        print_ratio(f"median error over that {name}", own, [getattr(t, name) for t in triads])
+        base = [getattr(t, name) for t in triads]
+        print_ratio(f"median error over that {name}", own, base)
+        print_ratio(f"with the bench's maps, over that {name}", benched, base)
+    print_ratio("with the bench's maps over without", benched, own.tolist())
     base = [t.uncorrected for t in triads[1:]]
-    print_ratio("control, another triad's", np.array([t.shuffled for t in triads[1:]]), base)
+    print_ratio("control, another triad's errors", np.array([t.shuffled for t in triads[1:]]), base)
+    misled = np.array([t.misled.free for t in triads[1:]])
+    print_ratio("control, another triad's bench, over without", misled, own[1:].tolist())
+    used, misled_by = (sum(getattr(t, name).used for t in triads) for name in ("benched", "misled"))
+    print(f"bench's maps used: {used} of {AXES * len(triads)}")
+    print(f"another triad's bench's maps used: {misled_by} of {AXES * (len(triads) - 1)}")
     print(
         f"noise after the last fix alone: median {find_noise_median(triads):.0f} m of "
         f"{np.median(own):.0f} m"
     )
-    worse = np.mean([t.free > t.uncorrected for t in triads])
-    print(f"flights made worse: {worse:.0%} of {len(triads)}")
+    for name, errors in (("without the bench", own), ("with it", benched)):
+        worse = np.mean([e > t.uncorrected for e, t in zip(errors, triads, strict=True)])
+        print(f"flights made worse {name}: {worse:.0%} of {len(triads)}")
+
+
+def describe_nees(square: float, degrees: float) -> str:
+    low, high = chi2.ppf((0.005, 0.995), degrees) / degrees
+    return f"{square / degrees:.2f} of {degrees:.0f} degrees, 99 % band {low:.2f} to {high:.2f}"
 
 
 def find_noise_median(triads: list[AidedTriad]) -> float:

@@ -11,14 +11,12 @@ from benchmarks.aided.flown import (
     FIX_SIGMA,
     FIX_SPACING,
     FREE_HOURS,
-    KNOWN,
     MISSIONS,
     NO_ARM,
     STUDY_SEED,
-    learn_deviations,
-    list_states,
     propagate,
 )
+from benchmarks.aided.known import KNOWN, learn_deviations, list_states
 from benchmarks.witness.motions import load_ride
 from ins_eval.aided.fixes import make_position_fixes
 from ins_eval.aided.kalman.drive import measure_turn, sample_drive

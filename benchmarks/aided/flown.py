@@ -1,32 +1,28 @@
 """Triads of the study's population on the FMU at 1 kHz, with position fixes and then without."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from benchmarks.aided.known import KNOWN, learn_deviations, list_states, make_bench_maps
+from ins_eval.aided.bench_maps import BenchMap, choose_bench_maps, take_bench_maps
 from ins_eval.aided.bias_map import BiasMap, read_bias_map
 from ins_eval.aided.correction import correct_increments
 from ins_eval.aided.fixes import Fixes, make_position_fixes
+from ins_eval.aided.kalman.backward import Adjoint, smooth
 from ins_eval.aided.kalman.drive import Drive, measure_turn, sample_drive
 from ins_eval.aided.kalman.forward import SEGMENT, Filter, Filtered, list_noise, run_filter
 from ins_eval.aided.kalman.sensors import SensorStates
 from ins_eval.aided.kalman.start import align_in_motion
 from ins_eval.common.state import displace, position_error
 from ins_eval.error_model.dynamics import COUNT
-from ins_eval.error_model.effects import accelerometer_bias, gyro_bias, misalignment
 from ins_eval.error_model.linear_model import linearize
-from ins_eval.flights.assumed_errors import ASSUMED_FLICKER_TIMES
-from ins_eval.imu.sensor_error_model import TYPICAL_ACCELEROMETERS
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.missions import SETTLING, StudyMission, plan_mission
 from ins_eval.mission_model.signals import (
-    STEADY,
-    WARMING,
     compute_resonator_warmth,
-    list_signal_effects,
-    slice_coefficients,
 )
 from ins_eval.navigation.height import Clamped, Free
 from ins_eval.navigation.strapdown import navigate
@@ -43,7 +39,6 @@ from ins_eval.study.cosimulated import (
 from ins_eval.study.gyros.drawn_triad import (
     DrawnTriad,
     TriadDistribution,
-    draw_gyros,
     draw_triad,
     make_triad_seed,
 )
@@ -52,52 +47,52 @@ from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import HOUR
 from pyhrg.fmu import GyroFmu, record_together
-from pyhrg.noise.coefficients import compute_process_variance
 from pyhrg.records.imu.log import Increments
 
 MISSIONS = ("car", "city", "airliner", "ship")
 AIDED_HOURS, FREE_HOURS = 2.0, 1.0
 FIX_SPACING, FIX_SIGMA = 1.0, 2.0
 """Of the position fixes, s, and of each component, m."""
-FIRST_JUDGED, STUDY_SEED, LEARNING_SEED, FIX_SEED = 100, 1, 7, 3
-KNOWN = slice_coefficients(slice(STEADY.start, WARMING.stop))
-"""Coefficients that are states: the map at power-on and by warmth."""
+FIRST_JUDGED, STUDY_SEED, FIX_SEED = 100, 1, 3
 NO_ARM = np.zeros(3)
+
+
+@dataclass(frozen=True)
+class Told:
+    """Maps at the end of the fixes and before the drive, and the horizontal error after
+    `FREE_HOURS` without fixes, m, with the errors found; used: number of the bench's maps that the
+    drive did not contradict."""
+
+    maps: BiasMap
+    prior: BiasMap
+    free: float
+    used: int = 0
 
 
 @dataclass(frozen=True)
 class AidedTriad:
     """One triad.
 
-    told, true, bench: maps at the end of the fixes; prior: of the maps; innovation: normalised
-    innovation squared over its degrees; free, uncorrected, shuffled: horizontal error after
-    `FREE_HOURS` without fixes, m, with the errors found, without, and with those found of another
-    triad; alone: after as long from an alignment at rest, without fixes, m; by_noise: (2, 2)
-    covariance of the position, m^2, that the sensors' noise after the last fix makes of a navigator
-    that knows all else.
+    own: with the population as prior; benched, misled: with the bench's maps as well, its own and
+    those of the triad before; true, bench: maps at the end of the fixes; innovation: normalised
+    innovation squared over its degrees; uncorrected, shuffled: horizontal error after `FREE_HOURS`
+    without fixes, m, without the errors found, and with those found of another triad; alone: after
+    as long from an alignment at rest, without fixes, m; by_noise: (2, 2) covariance of the
+    position, m^2, that the sensors' noise after the last fix makes of a navigator that knows all
+    else.
     """
 
     mission: str
-    told: BiasMap
-    prior: BiasMap
+    own: Told
+    benched: Told
+    misled: Told
     true: Array
     bench: Array
     innovation: float
-    free: float
     uncorrected: float
     shuffled: float
     alone: float
     by_noise: Array
-
-
-def learn_deviations(slow: GyroFmu, distribution: TriadDistribution, triads: int) -> Array:
-    """(k,) rms over gyros of each of the coefficients `KNOWN` in flight."""
-    found = [
-        read_flight_coefficients(slow, gyro.flight.device, gyro.flight.rise)
-        for number in range(triads)
-        for gyro in draw_gyros(slow, distribution, np.random.default_rng([LEARNING_SEED, number]))
-    ]
-    return np.sqrt(np.mean(np.square(found), axis=0))[KNOWN]
 
 
 def fly_triads(
@@ -107,35 +102,19 @@ def fly_triads(
     deviations = learn_deviations(fmus[1], distribution, learning)
     missions = [plan_mission(name, AIDED_HOURS + FREE_HOURS) for name in MISSIONS]
     truths = [sample_truth(mission) for mission in missions]
-    other: Array | None = None
+    other: tuple[Array, dict[int, BenchMap]] | None = None
     for number in range(count):
         seed = make_triad_seed(STUDY_SEED, FIRST_JUDGED + number)
         triad = draw_triad(fmus[1], distribution, seed)
         place = number % len(missions)
         generator = np.random.default_rng([FIX_SEED, number])
         flown = _Flown(fmus[0], missions[place], truths[place], triad, generator)
-        found = flown.filter(list_states(distribution, triad, deviations))
-        yield flown.judge(fmus[1], found, other if other is not None else 0 * found.coefficients)
-        other = found.coefficients
-
-
-def list_states(
-    distribution: TriadDistribution, triad: DrawnTriad, deviations: Array
-) -> SensorStates:
-    """What is known of a triad before its flight: the population and its noise coefficients."""
-    devices = [flown.device for flown in triad.flights]
-    flicker = [np.sqrt(compute_process_variance(d.bias_instability)) for d in devices]
-    sized = [
-        *zip(list_signal_effects()[KNOWN], deviations, strict=True),
-        *((effect, distribution.mounting) for effect in misalignment("gyro")),
-        *((gyro_bias(time), flicker) for time in ASSUMED_FLICKER_TIMES),
-        (accelerometer_bias(), distribution.accelerometer_bias),
-    ]
-    sizes = np.array([np.broadcast_to(size, AXES) for _, size in sized])
-    walks = np.zeros_like(sizes)
-    walks[0] = [device.rate_random_walk for device in devices]
-    noise = [*(d.angle_random_walk for d in devices), *[TYPICAL_ACCELEROMETERS.random_walk] * AXES]
-    return SensorStates(tuple(effect for effect, _ in sized), sizes, walks, np.array(noise))
+        states = list_states(distribution, triad, deviations)
+        maps = make_bench_maps(fmus[1], distribution, triad)
+        found = flown.filter(states)
+        another = other or (0 * found.coefficients, {})
+        yield flown.judge(fmus[1], found, maps, another)
+        other = found.coefficients, maps
 
 
 def measure(
@@ -219,35 +198,52 @@ class _Flown:
 
     def filter(self, states: SensorStates) -> Filtered:
         self._states = states
-        start = align_in_motion(self._drive, self._fixes, states, NO_ARM)
-        return run_filter(self._drive, self._fixes, states, start, NO_ARM, self._last)
+        self._start = align_in_motion(self._drive, self._fixes, states, NO_ARM)
+        return self._filter(states)
 
-    def judge(self, slow: GyroFmu, found: Filtered, other: Array) -> AidedTriad:
+    def _filter(self, states: SensorStates) -> Filtered:
+        return run_filter(self._drive, self._fixes, states, self._start, NO_ARM, self._last)
+
+    def judge(
+        self,
+        slow: GyroFmu,
+        found: Filtered,
+        maps: Mapping[int, BenchMap],
+        other: tuple[Array, Mapping[int, BenchMap]],
+    ) -> AidedTriad:
         time = AIDED_HOURS * HOUR
-        count = len(self._states)
-        own = found.covariance[-count:, -count:]
-        prior = np.diag(np.ravel(self._states.deviations) ** 2)
-        maps = [
-            read_bias_map(self._states, mean, covariance, time)
-            for mean, covariance in ((found.coefficients, own), (np.zeros(count), prior))
-        ]
         alone = np.linalg.norm(align_and_navigate(self._truth, self._all), axis=1)
         kept = round(FREE_HOURS * HOUR / self._mission.interval) - 1
-        free, uncorrected, shuffled = (
-            self._navigate(found, each) for each in (found.coefficients, None, other)
-        )
+        uncorrected, shuffled = (self._navigate(found, each) for each in (None, other[0]))
+        _, adjoint = smooth(found, self._states, self._drive.step)
         return AidedTriad(
             mission=self._mission.name,
-            told=maps[0],
-            prior=maps[1],
+            own=self._tell(self._states, found),
+            benched=self._follow(found, maps, adjoint),
+            misled=self._follow(found, other[1], adjoint),
             true=np.array([self._read_map(slow, axis, time) for axis in range(AXES)]),
             bench=np.array([each.fitted_map[:TERMS] for each in self._triad.measured]),
             innovation=float(np.mean([u.square for u in found.updates])) / 3,
-            free=free,
             uncorrected=uncorrected,
             shuffled=shuffled,
             alone=float(alone[kept]),
             by_noise=propagate(self._drive, self._last, self._states, self._trajectory)[1],
+        )
+
+    def _follow(self, found: Filtered, maps: Mapping[int, BenchMap], adjoint: Adjoint) -> Told:
+        """What the drive tells with a bench's maps, as far as it does not contradict them."""
+        used, _ = choose_bench_maps(self._states, maps, adjoint)
+        if not used:
+            return self._tell(self._states, found)
+        states = take_bench_maps(self._states, used)
+        return replace(self._tell(states, self._filter(states)), used=len(used))
+
+    def _tell(self, states: SensorStates, found: Filtered) -> Told:
+        time, own = AIDED_HOURS * HOUR, found.covariance[-len(states) :, -len(states) :]
+        return Told(
+            maps=read_bias_map(states, found.coefficients, own, time),
+            prior=read_bias_map(states, states.mean, states.covariance, time),
+            free=self._navigate(found, found.coefficients),
         )
 
     def _read_map(self, slow: GyroFmu, axis: int, time: float) -> Array:

@@ -7,13 +7,15 @@ confounded                 directions among the mechanisms that simple motions s
 study [CALIBRATION TRAINING JUDGED]
                            R2 of the position error in linear flights of two hours, of triads whose
                            maps are calibrated (seed 1, as `hrg study standard`)
-flown [CALIBRATION TRIADS HOURS]
-                           scores of flights on the FMU at 1 kHz, after each triad
+flown [CALIBRATION FOLDER TRIADS HOURS FIRST]
+                           scores of flights on the FMU at 1 kHz, after each triad; those in FOLDER
+                           (witness-flown) are not flown again
 benched [GYROS]            NEES of estimates with an error of the bench, and of their maps
 outside                    the estimate where something changed that its prior holds for constant
 """
 
 import sys
+from pathlib import Path
 
 import numpy as np
 import pandas as pd
@@ -102,15 +104,16 @@ def print_study(method: str, training: int, judged: int) -> None:
             print(f"    {name:28s} {score}", flush=True)
 
 
-def print_flown(method: str, count: int, hours: int) -> None:
+def print_flown(method: str, folder: str, count: int, hours: int, first: int) -> None:
     fmus, distribution = (load_fmu("HRG"), load_fmu("HRGSlow")), make_distribution(method)
-    numbers = range(FIRST_JUDGED, FIRST_JUDGED + count)
+    numbers = range(first, first + count)
     drawn = (
         (n, draw_triad(fmus[1], distribution, make_triad_seed(STUDY_SEED, n))) for n in numbers
     )
     tables: list[pd.DataFrame] = []
-    for rows in flown.fly_triads(fmus, distribution, drawn, hours):
+    for rows in flown.fly_triads(fmus, distribution, drawn, hours, Path(folder)):
         tables.append(rows)
+        print(f"{len(tables)} of {count} triads", flush=True)
         if len(tables) > 1:
             scores = score_witnesses(pd.concat(tables), STUDY_SEED)
             print(*("; ".join(row) for row in list_figures(scores)), sep="\n", flush=True)
@@ -152,7 +155,8 @@ def print_outside() -> None:
 if __name__ == "__main__":
     command, *rest = sys.argv[1:]
     numbers = [int(each) for each in rest if each.isdigit()]
-    calibration = next((each for each in rest if not each.isdigit()), "map")
+    words = [each for each in rest if not each.isdigit()]
+    calibration, folder = words + ["map", "witness-flown"][len(words) :]
     if command == "bounds":
         print_bounds(*(numbers or [GYROS]))
     elif command == "mechanisms":
@@ -160,7 +164,7 @@ if __name__ == "__main__":
     elif command == "confounded":
         print_confounded()
     elif command == "flown":
-        print_flown(calibration, *(numbers or [FLOWN, 2]))
+        print_flown(calibration, folder, *(numbers + [FLOWN, 2, FIRST_JUDGED][len(numbers) :]))
     elif command == "benched":
         print_benched(*(numbers or [BENCHED]))
     elif command == "outside":

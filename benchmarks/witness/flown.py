@@ -1,6 +1,7 @@
 """Flights on the FMU at 1 kHz, witnessed triad by triad, as `hrg study` judges them."""
 
 from collections.abc import Iterator
+from pathlib import Path
 
 import pandas as pd
 
@@ -12,6 +13,7 @@ from ins_eval.study.gyros.drawn_triad import DrawnTriad, TriadDistribution, tabu
 from ins_eval.study.predictors.prediction_columns import select_time
 from ins_eval.study.witness.block import believe_triad, witness_triads
 from ins_eval.study.witness.tabulate import tabulate_witnesses
+from pyhrg.common.files import write_whole
 from pyhrg.common.units import ARCSEC, MICRO_G
 from pyhrg.fmu import GyroFmu
 
@@ -25,22 +27,31 @@ def fly_triads(
     distribution: TriadDistribution,
     drawn: Iterator[tuple[int, DrawnTriad]],
     hours: float,
+    folder: Path,
 ) -> Iterator[pd.DataFrame]:
-    """Rows of each triad in all `MISSIONS`; fmus: `HRG` and `HRGSlow`; drawn: triads and their
-    numbers."""
+    """Rows of each triad in all `MISSIONS`.
+
+    fmus: `HRG` and `HRGSlow`; drawn: triads and their numbers; folder: of a file for each triad and
+    mission that was flown, which a later call reads.
+    """
     planned = [plan_mission(each, hours) for each in MISSIONS]
     truths = [sample_truth(each) for each in planned]
     weights = [select_time(load_mission_weights(each), -1) for each in planned]
+    folder.mkdir(parents=True, exist_ok=True)
     for number, triad in drawn:
-        believed = {0: (triad, believe_triad(fmus[1], distribution, triad))}
-        block, tables = tabulate_triads(fmus[1], [triad]), []
-        for place, mission in enumerate(MISSIONS):
+        paths = [folder / f"{distribution.method}-{number}-{m}-{hours:g}h.csv" for m in MISSIONS]
+        missing = [place for place, path in enumerate(paths) if not path.exists()]
+        if missing:
+            believed = {0: (triad, believe_triad(fmus[1], distribution, triad))}
+            block = tabulate_triads(fmus[1], [triad])
+        for place in missing:
+            mission = MISSIONS[place]
             found = witness_triads(fmus, truths[place], weights[place], place, believed, [0])
             rows = tabulate_witnesses(found, block, weights[place], SENSORS, INSIDE, SEED + number)
             rows["triad"] = number
-            tables.append(
-                rows.assign(
-                    calibration=distribution.method, mission_class=CLASSES[mission], mission=mission
-                )
+            rows = rows.assign(
+                calibration=distribution.method, mission_class=CLASSES[mission], mission=mission
             )
+            write_whole(paths[place], rows.to_csv(index=False).encode())
+        tables = [pd.read_csv(path) for path in paths]
         yield pd.concat(tables, ignore_index=True)

@@ -11,11 +11,15 @@ from pyhrg.common.reading.limits import DOCUMENT_BYTES
 COMMENT = r"//[^\n]*|/\*.*?\*/"
 CLASS = re.compile(r"^\s*(?:(?:partial|final|encapsulated)\s+)*(?:model|class|block)\s+(\w+)", re.M)
 DOTTED_MODIFIER = re.compile(r"[(,]\s*(?:(?:each|final)\s+)*(\w+)\.(\w+(?:\.\w+)*)\s*=(?!=)")
+REDECLARED_CLASS = re.compile(
+    r"\bredeclare\s+(?:(?:final|replaceable)\s+)*(model|block|class|record|type|package|function)"
+    r"\s+(\w+)\s*=\s*([\w.]+)\s*\("
+)
 
 
 def check_class_file(file: Path) -> None:
-    """Refuse a file that does not hold the class of its name, and a modifier by a dotted name: it
-    is legal, and the compiler drops it.
+    """Refuse a file that does not hold the class of its name, and modifiers by a dotted name or of
+    a class that is redeclared: they are legal, and the compiler drops them.
 
     Raises:
         HrgError: names the file, the row, what was found and what was expected.
@@ -35,6 +39,14 @@ def check_class_file(file: Path) -> None:
         raise HrgError(
             f"{file}, row {row}: found a modifier by the dotted name {first}.{rest}, which the "
             f"compiler would drop; expected {nested}"
+        )
+    if redeclared := REDECLARED_CLASS.search(code):
+        kind, name, other = redeclared.groups()
+        row = code.count("\n", 0, redeclared.start()) + 1
+        raise HrgError(
+            f"{file}, row {row}: found modifiers in a redeclaration of the class {name}, which the "
+            f"compiler would drop; expected a class of its own, {kind} MyClass = {other}(...), and "
+            f"redeclare {kind} {name} = MyClass"
         )
 
 

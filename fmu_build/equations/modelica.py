@@ -6,7 +6,7 @@ A small reader of Modelica's text: types derived from Real in one line of attrib
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -40,13 +40,34 @@ class Page:
 
 
 def read_types(files: Iterable[str]) -> dict[str, RealType]:
-    """Types of the library that Modelica files belong to, by full name."""
+    """Types of the library that Modelica files belong to, by full name; a connector that carries a
+    type is known by the connector's name too."""
     found: dict[str, RealType] = {}
+    connectors: dict[str, str] = {}
     present = (path for path in map(Path, set(files)) if path.exists())
     for root in sorted({find_library(path) for path in present}):
         for file in sorted(root.rglob("*.mo")):
             found |= _types(file)
-    return found
+            connectors |= _connectors(file)
+    return found | {
+        connector: declared
+        for connector, name in connectors.items()
+        if (declared := find_type(name, found)) is not None
+    }
+
+
+@cache
+def list_integers(libraries: Path) -> frozenset[str]:
+    """Last names of the integer parameters that the libraries in a folder declare."""
+    texts = (file.read_text(encoding="utf-8") for file in sorted(libraries.rglob("*.mo")))
+    return frozenset(
+        name for text in texts for name in re.findall(r"\bparameter\s+Integer\s+(\w+)", text)
+    )
+
+
+def find_type(name: str, types: Mapping[str, RealType]) -> RealType | None:
+    """The type that a name means, which may begin at any package around it."""
+    return next((t for full, t in types.items() if f".{full}".endswith(f".{name}")), None)
 
 
 def read_page(file: Path) -> Page:
@@ -73,7 +94,7 @@ def find_library(file: Path) -> Path:
 
 def _types(file: Path) -> dict[str, RealType]:
     text = file.read_text(encoding="utf-8")
-    scope = f"{_package(text)}{file.parent.name}" if file.name == "package.mo" else ""
+    scope = _scope(file, text)
     found = {}
     pattern = rf"\btype\s+(\w+)\s*=\s*Real\s*\(({ATTRIBUTES})\)\s*{STRING}"
     for match in re.finditer(pattern, text):
@@ -87,6 +108,18 @@ def _types(file: Path) -> dict[str, RealType]:
             display_unit=given.get("displayUnit", ""),
         )
     return found
+
+
+def _connectors(file: Path) -> dict[str, str]:
+    """Name of the type that each connector of a file carries."""
+    text = file.read_text(encoding="utf-8")
+    pattern = r"\bconnector\s+(\w+)\s*=\s*(?:input|output)\s+([\w.]+)"
+    return {f"{_scope(file, text)}.{name}": carried for name, carried in re.findall(pattern, text)}
+
+
+def _scope(file: Path, text: str) -> str:
+    """Package in which a file's short classes stand: of a `package.mo` alone."""
+    return f"{_package(text)}{file.parent.name}" if file.name == "package.mo" else ""
 
 
 def _package(text: str) -> str:

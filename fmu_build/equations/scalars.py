@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from fmu_build.equations.dae import Dae, Variable
 from fmu_build.equations.dependencies import trace_dependencies
-from fmu_build.equations.modelica import RealType, read_types
+from fmu_build.equations.modelica import RealType, find_type, read_types
 
 TUNABLE = re.compile(
     r"(.*\.)?controller\.((biasMap|scaleFactorMap|cancellation)\.\w+|quadratureSetpoint)"
@@ -15,8 +15,8 @@ TUNABLE = re.compile(
 electronics, which act from the next tick on; no start value is made of them."""
 
 
-SWITCH = "Units.Switch"
-"""The library's type of a real variable that is 1 or 0, which FMI 3 has as a Boolean."""
+SWITCHES = ("Units.Switch", "Inputs.Switch", "Outputs.Switch")
+"""The library's type of a real variable that is 1 or 0, and its connectors: a Boolean in FMI 3."""
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,7 @@ def find_kind(variable: Variable) -> str:
     """Kind of a variable's scalars."""
     if variable.scalar == "integer":
         return "integer"
-    return "switch" if variable.type_name.endswith(SWITCH) else "real"
+    return "switch" if variable.type_name.endswith(SWITCHES) else "real"
 
 
 def is_tunable(dae: Dae, variable: Variable) -> bool:
@@ -99,10 +99,8 @@ def _list_tunable(dae: Dae) -> set[int]:
 
 def _find_declared_type(variable: Variable, types: Mapping[str, RealType]) -> RealType | None:
     """The library's type of a variable, unless its declaration gives it another unit."""
-    for name, declared in types.items():
-        if name.endswith(f".{variable.type_name}") or name == variable.type_name:
-            return declared if declared.unit == variable.unit else None
-    return None
+    declared = find_type(variable.type_name, types)
+    return declared if declared and declared.unit == variable.unit else None
 
 
 def _numbers(dae: Dae, variable: Variable, element: int, causality: str) -> dict[str, str]:

@@ -1,17 +1,19 @@
 """The front door: a recorded drive with fixes gives the sensors' errors, maps of gyros among
 them."""
 
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
+from ins_eval.aided.bench_maps import BenchMap, read_bench_map
 from ins_eval.aided.bias_map import read_bias_map
+from ins_eval.aided.estimate import estimate_drive
 from ins_eval.aided.fixes import FEWEST, Fixes, read_fixes
 from ins_eval.aided.hold_out import judge_hold_out
-from ins_eval.aided.kalman.backward import smooth
 from ins_eval.aided.kalman.drive import measure_turn, sample_drive
-from ins_eval.aided.kalman.forward import Filtered, run_filter
+from ins_eval.aided.kalman.forward import Filtered
 from ins_eval.aided.kalman.sensors import SensorStates
 from ins_eval.aided.kalman.start import WINDOW, align_in_motion
 from ins_eval.aided.report import AidedDrive
@@ -25,7 +27,7 @@ from pyhrg.common.arguments import check_number
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import check_output_folder
-from pyhrg.common.units import HOUR
+from pyhrg.common.units import DEG_PER_H, HOUR, PPM
 from pyhrg.records.imu.log import RecordedImu
 
 MOST_OUTLIERS = 0.05
@@ -42,6 +44,8 @@ def aid(
     errors_of: Imu | str = "simple",
     lever_arm_m: tuple[float, float, float] = (0.0, 0.0, 0.0),
     hold_out_h: float = 0.0,
+    bench: Sequence[Path | str] = (),
+    bench_drift: tuple[float, float] | None = None,
     out: Path | str | None = None,
 ) -> AidedDrive:
     """Errors of an IMU's sensors, and the way of its vehicle, from a drive with fixes.
@@ -56,6 +60,10 @@ def aid(
         lever_arm_m: from IMU to antenna: forward, right, down, m.
         hold_out_h: hours at the end whose fixes are not used but judge the free-inertial position
             with and without the errors that were found.
+        bench: results of the bench's test `calibration` of the gyros forward, right, down
+            (result.json); their maps are part of the prior unless the drive contradicts them.
+        bench_drift: with `bench`, standard deviation of a term's change since then: of the bias,
+            deg/h, and of the scale factor, ppm.
         out: folder that the result is written to, see `AidedDrive.write`; None writes nothing.
 
     Raises:
@@ -67,9 +75,10 @@ def aid(
         check_output_folder(Path(out))
     arm = np.array([check_number("lever_arm_m", x, -LONGEST_ARM, LONGEST_ARM) for x in lever_arm_m])
     held = check_number("hold_out_h", hold_out_h, 0.0, 24.0) * HOUR
+    maps = _read_bench(bench, bench_drift)
     imu, found = load_imu_at_rate(errors_of, None), read_fixes(fixes)
     record, used = _cut(read_record(log), found)
-    result = aid_record(record, used, imu, arm, held)
+    result = aid_record(record, used, imu, arm, held, maps)
     result = replace(
         result,
         name=f"{Path(log).name}, {Path(fixes).name}",
@@ -81,11 +90,17 @@ def aid(
 
 
 def aid_record(
-    record: RecordedImu, fixes: Fixes, imu: Imu, lever_arm: Array, held: float
+    record: RecordedImu,
+    fixes: Fixes,
+    imu: Imu,
+    lever_arm: Array,
+    held: float,
+    maps: Mapping[int, BenchMap] | None = None,
 ) -> AidedDrive:
     """Estimate errors and way from a record that begins with its first fix.
 
-    lever_arm: (3,) m; held: time at the end whose fixes are not used, s.
+    lever_arm: (3,) m; held: time at the end whose fixes are not used, s; maps: of the bench, by
+    axis.
     """
     turned = measure_turn(record.increments, record.pattern_angle)
     sensors = assume_sensors(imu, record)
@@ -98,21 +113,23 @@ def aid_record(
         )
     known_at = float(drive.increments.start + last * drive.step)
     start = align_in_motion(drive, fixes, sensors, lever_arm)
-    filtered = run_filter(drive, fixes, sensors, start, lever_arm, last)
+    found = estimate_drive(drive, fixes, sensors, start, lever_arm, last, maps or {})
+    sensors, filtered = found.sensors, found.filtered
     _check_outliers(fixes, filtered)
     count = len(sensors)
     own = filtered.covariance[-count:, -count:]
-    prior = np.diag(np.ravel(sensors.deviations) ** 2)
     return AidedDrive(
         name=record.source,
         prior_name=f"{imu.name} IMU",
         duration=last * drive.step,
         unused=0,
         filtered=filtered,
-        smoothed=smooth(filtered, sensors, drive.step)[0],
+        smoothed=found.smoothed,
         sensors=sensors,
         bias_map=read_bias_map(sensors, filtered.coefficients, own, known_at),
-        prior_map=read_bias_map(sensors, np.zeros(count), prior, known_at),
+        prior_map=read_bias_map(sensors, sensors.mean, sensors.covariance, known_at),
+        bench_tests=found.tests,
+        bench_used=found.used,
         visited=None if record.pattern_angle is None else record.pattern_angle[: last * drive.rows],
         hold_out=judge_hold_out(
             record.increments.between(last * drive.rows, len(record.increments)),
@@ -178,6 +195,20 @@ def _cut(record: RecordedImu, fixes: Fixes) -> tuple[RecordedImu, Fixes]:
         ),
         used.between(begin, np.inf),
     )
+
+
+def _read_bench(
+    paths: Sequence[Path | str], drift: tuple[float, float] | None
+) -> dict[int, BenchMap]:
+    """The bench's maps of three gyros by axis, or none."""
+    if not paths and drift is None:
+        return {}
+    if len(paths) != AXES or drift is None:
+        found = f"{len(paths)} results and {'no' if drift is None else 'a'} bench_drift"
+        raise HrgError(f"bench: found {found}, expected {AXES} results and a bench_drift")
+    bias, scale = (check_number("bench_drift", x, 0.0, 1e4) for x in drift)
+    changes = bias * DEG_PER_H, scale * PPM
+    return {axis: read_bench_map(path, changes) for axis, path in enumerate(paths)}
 
 
 def _check_outliers(fixes: Fixes, filtered: Filtered) -> None:

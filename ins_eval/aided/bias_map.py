@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ins_eval.aided.kalman.sensors import SensorStates
-from ins_eval.error_model.effects import ANGULAR_GAIN
+from ins_eval.error_model.effects import ANGULAR_GAIN, Effect
 from ins_eval.error_model.linear_model import AXES
 from ins_eval.error_model.motion import Motion
 from ins_eval.mission_model.gyro_map import HARMONICS, TERMS, evaluate_terms
@@ -14,6 +14,9 @@ from pyhrg.common.arrays import Array
 ANGLES = np.pi * np.arange(64) / 64
 """Pattern angles at which a map is evaluated, rad; chosen: eight in a period of the eighth
 harmonic."""
+
+ROUNDING = 1e-9
+"""Share of an effect's largest term below which a term is that of rounding. Chosen."""
 
 
 @dataclass(frozen=True)
@@ -58,30 +61,40 @@ def read_bias_map(
 ) -> BiasMap:
     """The maps at a time, s, by coefficients (c,) and their covariance (c, c), without what wanders
     with a correlation time. The effects are of patterns that start at angle 0."""
-    response = _respond(sensors, time)
-    values = (response @ coefficients).reshape(AXES, TERMS)
-    return BiasMap(values, response @ covariance @ response.T)
+    response = respond(sensors, time)[:, :TERMS]
+    values = response @ coefficients
+    joint = response.reshape(AXES * TERMS, -1)
+    return BiasMap(values, joint @ covariance @ joint.T)
 
 
-def _respond(sensors: SensorStates, time: float) -> Array:
-    """(3 TERMS, c) terms of the maps per unit of each coefficient."""
-    count, none = len(ANGLES), np.zeros((len(ANGLES), AXES))
-    resting = Motion(
-        step=1e-6,
-        start=time,
-        latitude=none[:, 0],
-        height=none[:, 0],
-        velocity=none,
-        mat_nb=np.zeros((count, AXES, AXES)),
-        rate=none,
-        force=none,
-        turned=none - ANGLES[:, None] / ANGULAR_GAIN,
-    )
+def respond(sensors: SensorStates, time: float) -> Array:
+    """(3, 2 TERMS, c) terms of each gyro's map of bias, rad/s, then of scale-factor error, per unit
+    of each coefficient."""
+    count = len(ANGLES)
     project = np.linalg.pinv(evaluate_terms(ANGLES))
-    response = np.zeros((AXES, TERMS, len(sensors)))
+
+    def observe(effect: Effect, axis: int, rate: float) -> Array:
+        """(TERMS,) error of a gyro whose case turns about its input axis."""
+        none = np.zeros((count, AXES))
+        moving = Motion(
+            step=1e-6,
+            start=time,
+            latitude=none[:, 0],
+            height=none[:, 0],
+            velocity=none,
+            mat_nb=np.zeros((count, AXES, AXES)),
+            rate=none + rate * np.eye(AXES)[axis],
+            force=none,
+            turned=none - ANGLES[:, None] / ANGULAR_GAIN,
+        )
+        terms = project @ effect.regressor(moving)[:, axis]
+        return np.where(np.abs(terms) > ROUNDING * np.max(np.abs(terms)), terms, 0.0)
+
+    response = np.zeros((AXES, 2 * TERMS, len(sensors)))
     for number, effect in enumerate(sensors.effects):
         if effect.sensor == "gyro" and np.isinf(effect.correlation_time):
-            terms = project @ effect.regressor(resting)
             for axis in range(AXES):
-                response[axis, :, AXES * number + axis] = terms[:, axis]
-    return response.reshape(AXES * TERMS, -1)
+                resting, turning = (observe(effect, axis, rate) for rate in (0.0, 1.0))
+                own = response[axis, :, AXES * number + axis]
+                own[:TERMS], own[TERMS:] = resting, turning - resting
+    return response

@@ -25,12 +25,13 @@ def plot_maps(
     figure = Figure(figsize=(8, 2.4 * panels), layout="constrained")
     rows = figure.subplots(panels, 1)
     bias, sigma = (x / DEG_PER_H for x in told.evaluate(ANGLES))
-    before = prior.evaluate(ANGLES)[1] / DEG_PER_H
+    known, spread = (x / DEG_PER_H for x in prior.evaluate(ANGLES))
     degrees = np.rad2deg(ANGLES)
     for axis, (title, colour) in enumerate(COLOURS.items()):
         axes: Axes = rows[axis]
-        axes.plot(degrees, before[axis], "0.6", linestyle=":", label="one sigma before the drive")
-        axes.plot(degrees, -before[axis], "0.6", linestyle=":")
+        upper, lower = known[axis] + spread[axis], known[axis] - spread[axis]
+        axes.plot(degrees, upper, "0.6", linestyle=":", label="one sigma before the drive")
+        axes.plot(degrees, lower, "0.6", linestyle=":")
         low, high = bias[axis] - sigma[axis], bias[axis] + sigma[axis]
         axes.fill_between(degrees, low, high, color=colour, alpha=0.25, linewidth=0)
         axes.plot(degrees, bias[axis], color=colour, label="bias, with one sigma")

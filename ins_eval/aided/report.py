@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +12,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 from scipy.stats import chi2
 
+from ins_eval.aided.bench_maps import BenchTest
 from ins_eval.aided.bias_map import BiasMap
 from ins_eval.aided.figure import plot_maps
 from ins_eval.aided.hold_out import HoldOut
@@ -47,7 +48,8 @@ class AidedDrive:
     name: of log and fixes; prior_name: of the IMU whose errors were the prior; duration: with fixes
     that were used, s; unused: number of fixes outside the log; filtered, smoothed: of the
     navigator; sensors: states; bias_map, prior_map: after and before the drive; visited: (m, 3)
-    pattern angles, rad, None for gyros without; hold_out: None if nothing was held out.
+    pattern angles, rad, None for gyros without; bench_tests: of the bench's maps; bench_used: axes
+    of those that are part of the prior; hold_out: None if nothing was held out.
     """
 
     name: str
@@ -60,6 +62,8 @@ class AidedDrive:
     bias_map: BiasMap
     prior_map: BiasMap
     visited: Array | None
+    bench_tests: tuple[BenchTest, ...]
+    bench_used: frozenset[int]
     hold_out: HoldOut | None
 
     __repr__ = describe_briefly
@@ -107,7 +111,7 @@ class AidedDrive:
             "axis": list(BODY) * len(self.sensors.effects),
             "value_si": self.filtered.coefficients,
             "sigma_si": sigma,
-            "prior_sigma_si": np.ravel(self.sensors.deviations),
+            "prior_sigma_si": np.sqrt(np.diag(self.sensors.covariance)),
         }
         return pd.DataFrame(columns)
 
@@ -136,7 +140,14 @@ class AidedDrive:
                 f"{row.prior_sigma_deg_per_h:>12.5f}"
             )
         return "\n".join(
-            [*lines, "", f"prior: errors of the {self.prior_name}", *self._tell_worth()]
+            [
+                *lines,
+                "",
+                f"prior: errors of the {self.prior_name}",
+                *map(_describe_test, self.bench_tests),
+                *self._tell_bench(),
+                *self._tell_worth(),
+            ]
         )
 
     @property
@@ -170,6 +181,12 @@ class AidedDrive:
         variance = turns @ self.smoothed.covariance[0][ATTITUDE, ATTITUDE] @ turns
         heading = float(np.rad2deg(euler_from_mat(mat_nb)[2]) % 360)
         return heading, float(np.rad2deg(np.sqrt(variance)))
+
+    def _tell_bench(self) -> list[str]:
+        if not self.bench_tests:
+            return []
+        used = ", ".join(BODY[axis] for axis in sorted(self.bench_used))
+        return [f"bench's maps in the prior: {used or 'none'}"]
 
     def _tell_worth(self) -> list[str]:
         if self.hold_out is None:
@@ -210,6 +227,10 @@ class AidedDrive:
             "heading_deg": heading,
             "heading_sigma_deg": sigma,
             "bias_map": self.table.to_dict("records"),
+            "bench": {
+                "tests": [{**asdict(t), "p_value": t.p_value} for t in self.bench_tests],
+                "used": [BODY[axis] for axis in sorted(self.bench_used)],
+            },
         }
         if self.hold_out is not None:
             document["held_out"] = {
@@ -218,3 +239,10 @@ class AidedDrive:
                 "uncorrected_m": float(self.hold_out.uncorrected[-1]),
             }
         return document
+
+
+def _describe_test(test: BenchTest) -> str:
+    if not test.degrees:
+        return f"bench's map, {test.gyro}: the drive has seen none of it"
+    verdict = "contradicts the drive" if test.contradicts else "agrees with the drive"
+    return f"bench's map, {test.gyro}: {verdict} (square {test.square:.3g} of {test.degrees})"

@@ -22,13 +22,17 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "forward, right, down (default 0 0 0)")  # fmt: skip
     add("--hold-out-h", type=float, metavar="H", help="hours at the end whose fixes only judge the "
         "position without fixes (default 0)")  # fmt: skip
+    add("--bench", type=Path, nargs=3, metavar=("FORWARD", "RIGHT", "DOWN"), help="result.json of "
+        "`hrg bench calibration` of each gyro: its maps are known before the drive")  # fmt: skip
+    add("--bench-drift", type=float, nargs=2, metavar=("DEG_H", "PPM"), help="with --bench: "
+        "1-sigma of what a term of the maps of bias and scale factor changed since")  # fmt: skip
     add("--out", type=Path, default=Path("hrg-aid"), metavar="DIR", help="output folder "
         "(default hrg-aid)")  # fmt: skip
 
 
 def run(options: argparse.Namespace) -> None:
     check_output_folder(options.out)
-    names = ("errors_of", "lever_arm_m", "hold_out_h")
+    names = ("errors_of", "lever_arm_m", "hold_out_h", "bench", "bench_drift")
     found = ins_eval.aid(options.log, options.fixes, **collect_given(options, names))
     found.write(options.out)
     print(found.summary)

@@ -34,7 +34,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "share of what the loops hold (default 0.1 1e-4 1e-3)")  # fmt: skip
     add("--out", type=Path, required=True, metavar="DIR", help="output folder")
     parser.set_defaults(run_task=_diagnose)
-    parser = tasks.add_parser("predict", help="simulate the identified gyro on a log's inputs")
+    parser = tasks.add_parser(
+        "predict", help="compare a log with the simulation of the identified gyro"
+    )
     add = parser.add_argument
     add("diagnosis", type=Path, metavar="DIAGNOSIS", help="a diagnosis.json")
     add("log", type=Path, metavar="LOG", help="a log, CSV")
@@ -102,10 +104,12 @@ def make_position_section(diagnosis: "CampaignDiagnosis", progress: bool = True)
 
 
 def _predict(options: argparse.Namespace) -> None:
-    from pyhrg.gap.closing.prediction import write_prediction
+    from pyhrg.gap.closing.prediction import describe_prediction, write_prediction
 
     check_output_folder(options.out.parent)
     table = pyhrg.predict(
         options.diagnosis, options.log, options.campaign, progress=not options.quiet
     )
     write_prediction(table, options.out)
+    print(describe_prediction(table))
+    print(f"written to {options.out}")

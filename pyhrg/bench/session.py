@@ -53,6 +53,7 @@ def run_test(
     device: Device | str | Path | None = None,
     *,
     campaign: Campaign | str | Path | None = None,
+    fmu: str | Path | None = None,
     seed: int = 1,
     workers: int | None = None,
     out: str | Path | None = None,
@@ -67,6 +68,8 @@ def run_test(
         device: gyro to simulate: a device, the name of a ready one or a device file (TOML); the
             ready device `typical` if None.
         campaign: records to evaluate instead of a simulation: a campaign or its folder.
+        fmu: file of an FMU of a class of one's own that is or holds an `HRG`, such as `closed.fmu`
+            of a diagnosis; it gets the parameters of `device`.
         seed: seed of all random numbers of the simulation, 0 to 2^63 - 1; the same seed gives the
             same bytes on any number of workers.
         workers: number of power-ons that are simulated at the same time; all cores if None.
@@ -85,6 +88,7 @@ def run_test(
         [name],
         device,
         campaign=campaign,
+        fmu=fmu,
         seed=seed,
         workers=workers,
         out=out,
@@ -99,6 +103,7 @@ def run_tests(
     device: Device | str | Path | None = None,
     *,
     campaign: Campaign | str | Path | None = None,
+    fmu: str | Path | None = None,
     seed: int = 1,
     workers: int | None = None,
     out: str | Path | None = None,
@@ -111,7 +116,7 @@ def run_tests(
     Args:
         names: names of the tests. None runs all, or, with a campaign, those that it has records
             for.
-        device, campaign, seed, workers, out, force, progress: see `run_test`.
+        device, campaign, fmu, seed, workers, out, force, progress: see `run_test`.
         plan: see `run_test`; allowed with a single test only.
 
     Raises:
@@ -121,8 +126,7 @@ def run_tests(
     """
     procedures = _choose_procedures(names)
     changes = {name: value for name, value in plan.items() if value is not None}
-    if device is not None and campaign is not None:
-        raise HrgError("device, campaign: found both, expected one gyro: simulated or recorded")
+    _check_gyro(device, campaign, fmu)
     check_seed(seed)
     choose_workers(workers)
     _check_plan(changes, procedures, campaign is not None)
@@ -134,7 +138,9 @@ def run_tests(
             source = open_records(campaign, procedures)
         else:
             store = None if folder is None else Store(folder / LOGS_TO_RESUME)
-            source = prepare_simulation(procedures, device, seed, workers, store, counter, changes)
+            source = prepare_simulation(
+                procedures, device, seed, workers, store, counter, changes, fmu
+            )
         if folder is not None and not force:
             check_page(folder, bool(_read_kept(folder, source)))
         counter.expect(len(source.procedures))
@@ -150,6 +156,14 @@ def run_tests(
     if folder is not None:
         _write_page(folder, source, results, force)
     return results
+
+
+def _check_gyro(device: object, campaign: object, fmu: object) -> None:
+    """Refuse more than one gyro, and an FMU without the parameters that it gets."""
+    if device is not None and campaign is not None:
+        raise HrgError("device, campaign: found both, expected one gyro: simulated or recorded")
+    if fmu is not None and device is None:
+        raise HrgError("fmu: found no device beside it, expected the one whose parameters it gets")
 
 
 def describe_readiness(campaign: Campaign) -> str:

@@ -1,6 +1,7 @@
 """Where the records of a run come from: a simulated gyro, or a campaign."""
 
 import difflib
+import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field, replace
@@ -15,8 +16,12 @@ from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.reporting.progress import BenchProgress
 from pyhrg.bench.store import Store
 from pyhrg.common.arguments import choose_workers
+from pyhrg.common.caches.files import find_cache_folder
 from pyhrg.common.errors import HrgError
+from pyhrg.common.files import write_whole
 from pyhrg.common.made_by import digest_value, list_versions
+from pyhrg.common.reading.files import read_bytes
+from pyhrg.common.reading.limits import LOG_BYTES
 from pyhrg.device import device_file, ready_devices
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
@@ -43,6 +48,7 @@ class Source:
         seed: seed of the simulation; None where the records are not simulated.
         limits: the specification's, by the findings' keys.
         store: store of logs, open during the run.
+        fmu: name and digest of the FMU where it is the user's.
     """
 
     name: str
@@ -54,6 +60,7 @@ class Source:
     seed: int | None = None
     limits: Mapping[str, float] = field(default_factory=dict)
     store: AbstractContextManager[object] = field(default_factory=nullcontext)
+    fmu: str = ""
 
     @cached_property
     def identity(self) -> dict[str, Any]:
@@ -61,7 +68,7 @@ class Source:
         return {
             "made_by": list_versions(),
             "device": self.name,
-            "device_sha256": digest_value(self.device),
+            "device_sha256": digest_value((self.device, self.fmu) if self.fmu else self.device),
             "seed": self.seed,
         }
 
@@ -74,11 +81,13 @@ def prepare_simulation(
     store: Store | None,
     progress: BenchProgress,
     plan: Mapping[str, float],
+    fmu_file: Path | str | None = None,
 ) -> Source:
     """A source that simulates a gyro on the virtual bench.
 
     The device is a gyro, the name of a ready device or a device file; `plan` has keywords of the
-    only procedure's `record`.
+    only procedure's `record`. An FMU in a file is simulated in all tests, with the device's
+    parameters put into it.
     """
     if isinstance(device, Device):
         gyro, place = device, device.name
@@ -87,9 +96,15 @@ def prepare_simulation(
             ready_devices.load_device(DEFAULT_DEVICE if device is None else device),
             str(device),
         )
-    fmus = _load_fmus(procedures, progress.say)
+    if fmu_file is not None:
+        fmus = dict.fromkeys({p.model for p in procedures}, _load_fmu(Path(fmu_file)))
+    else:
+        fmus = _load_fmus(procedures, progress.say)
     _check_model_names(gyro, fmus, place)
     threads = choose_workers(workers)
+
+    name = gyro.name or NAMELESS
+    name += "" if fmu_file is None else f" in {Path(fmu_file).name}"
 
     def simulate_campaign(procedure: Procedure) -> Campaign:
         fmu = fmus[procedure.model]
@@ -97,8 +112,9 @@ def prepare_simulation(
         return bench.campaign(procedure.record(bench, **plan))
 
     return Source(
-        name=gyro.name or NAMELESS,
-        subject=f"{gyro.name or NAMELESS}, simulated with seed {seed}",
+        name=name,
+        fmu="" if fmu_file is None else fmus[procedures[0].model].folder.name,
+        subject=f"{name}, simulated with seed {seed}",
         procedures=procedures,
         get_records=simulate_campaign,
         device=gyro,
@@ -148,6 +164,15 @@ def _load_fmus(procedures: Sequence[Procedure], say: Callable[[str], None]) -> d
         return GyroFmu(build_fmu(model, progress=lambda step: say(f"FMU {model}: {step}")))
 
     return {model: load(model) for model in sorted({p.model for p in procedures})}
+
+
+def _load_fmu(file: Path) -> GyroFmu:
+    """The FMU of a file, by way of the user's cache: it is extracted beside itself."""
+    data = read_bytes(file, LOG_BYTES)
+    path = find_cache_folder() / f"{hashlib.sha256(data).hexdigest()[:16]}-own" / file.name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_whole(path, data)
+    return GyroFmu(path)
 
 
 def _check_model_names(device: Device, fmus: Mapping[str, GyroFmu], source: str) -> None:

@@ -1,8 +1,8 @@
 """`hrg bench`: the tests of the bench, on the FMU or on recorded logs."""
 
 import argparse
-import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -38,6 +38,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         type=Path,
         metavar="DIR",
         help=f"evaluate recorded logs instead; with {ALL}, the tests that it has records for",
+    )
+    parser.add_argument(
+        "--fmu",
+        type=Path,
+        metavar="FILE",
+        help="simulate this FMU with the parameters of --device: of a class of your own that is or "
+        "holds an HRG (hrg build --class), or closed.fmu of a diagnosis",
     )
     parser.add_argument(
         "--seed", type=int, default=1, metavar="N", help="seed of all random numbers (default 1)"
@@ -90,11 +97,12 @@ def run(options: argparse.Namespace) -> None:
 
     check_output_folder(options.out)
     plan = {o.name: getattr(options, o.name) for p in PROCEDURES for o in p.options}
-    campaign = None if options.campaign is None else pyhrg.read_campaign(options.campaign)
+    campaign = None if options.campaign is None else _read_campaign(options.campaign)
     results = pyhrg.run_tests(
         None if options.test == ALL else [options.test],
         options.device,
         campaign=campaign,
+        fmu=options.fmu,
         seed=options.seed,
         workers=options.workers,
         out=options.out,
@@ -105,15 +113,21 @@ def run(options: argparse.Namespace) -> None:
     print(results)
     folders = [result.name for result in results.results]
     print(f"\nwritten to {options.out}: {', '.join(['report.html', *folders])}")
-    if campaign is not None:
-        _warn_of_refusal(campaign)
 
 
-def _warn_of_refusal(campaign: "pyhrg.Campaign") -> None:
-    """Say on standard error why a diagnosis would refuse the records whose figures were printed."""
+def _read_campaign(folder: Path) -> "pyhrg.Campaign":
+    """A campaign; where a diagnosis would refuse its records, each log says so, and with it the
+    results."""
     from pyhrg.gap.soundness import screen_campaign
 
+    campaign = pyhrg.read_campaign(folder)
     try:
         screen_campaign(campaign)
     except HrgError as error:
-        print(f"hrg: warning: a diagnosis would refuse these records: {error}", file=sys.stderr)
+        note = f"a diagnosis would refuse these records: {error}"
+        logs = [
+            replace(test.log, exclusions=(*test.log.exclusions, note)) for test in campaign.tests
+        ]
+        pairs = zip(campaign.tests, logs, strict=True)
+        return replace(campaign, tests=tuple(replace(t, recording=log) for t, log in pairs))
+    return campaign

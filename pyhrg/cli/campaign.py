@@ -52,14 +52,16 @@ def run(options: argparse.Namespace) -> None:
 
 def _import(options: argparse.Namespace) -> None:
     from pyhrg.bench.session import describe_readiness
-    from pyhrg.gap.soundness import describe_screening
+    from pyhrg.gap.preparation import describe_preparation
     from pyhrg.records.campaign_import import import_campaign
 
     if options.out is not None:
         check_output_folder(options.out)
     imported = import_campaign(options.mapping, options.out, force=options.force)
     campaign = imported.campaign_as_read
-    print(f"{imported.preview}\n\n{describe_screening(campaign)}\n\n{describe_readiness(campaign)}")
+    print(
+        f"{imported.preview}\n\n{describe_preparation(campaign)}\n\n{describe_readiness(campaign)}"
+    )
     if options.out is not None:
         print(f"\nwritten to {options.out}")
 

@@ -5,12 +5,12 @@ from collections.abc import Mapping
 
 from fmu_build.archive.description import format_xml
 from fmu_build.archive.ssp import SPACES
+from fmu_build.equations.modelica import list_integers
+from pyhrg.common.made_by import find_modelica
 from pyhrg.device.device import Device
 
 SET_NAME = "initialValues"
 """What every set is called: importers apply the sets of one name to a system."""
-INTEGERS = frozenset({"seed", "controller.forceToRebalance"})
-"""Parameters of the FMU that are integers."""
 
 
 def format_parameter_set(device: Device) -> str:
@@ -27,9 +27,10 @@ def format_values(values: Mapping[str, float], description: str = "") -> str:
     if description:
         root.set("description", description)
     parameters = ET.SubElement(root, f"{{{SPACES['ssv']}}}Parameters")
+    integers = list_integers(find_modelica())
     for key, value in sorted(values.items()):
         parameter = ET.SubElement(parameters, f"{{{SPACES['ssv']}}}Parameter", name=key)
-        if key in INTEGERS:
+        if key.rpartition(".")[2] in integers:
             ET.SubElement(parameter, f"{{{SPACES['ssv']}}}Integer", value=str(int(value)))
         else:
             ET.SubElement(parameter, f"{{{SPACES['ssv']}}}Real", value=repr(float(value)))

@@ -21,11 +21,16 @@ class GyroError(HrgError):
     """The FMU refused a call; the message is its own."""
 
 
+HELD = "gyro."
+"""Beginning of the names of a gyro's variables in a class that holds it."""
+
+
 class Archive:
     """An FMU, extracted beside its file.
 
     description: FMPy's model description; folder: the extracted archive; references: value
-    reference of each variable, by name; kinds: FMI type of each variable, by name.
+    reference of each variable, by name; kinds: FMI type of each variable, by name. Where a class
+    holds the gyro as `gyro`, the gyro's variables have their own names too.
     """
 
     def __init__(self, path: Path) -> None:
@@ -33,10 +38,11 @@ class Archive:
         with refuse_unreadable(path, "FMU"):
             self.description = fmpy.read_model_description(str(path))
         self.folder = _extract(path)
-        self.references: dict[str, int] = {
-            v.name: v.valueReference for v in self.description.modelVariables
-        }
-        self.kinds: dict[str, str] = {v.name: v.type for v in self.description.modelVariables}
+        variables = {v.name: v for v in self.description.modelVariables}
+        held = {n.removeprefix(HELD): v for n, v in variables.items() if n.startswith(HELD)}
+        variables = held | variables
+        self.references: dict[str, int] = {n: v.valueReference for n, v in variables.items()}
+        self.kinds: dict[str, str] = {n: v.type for n, v in variables.items()}
 
     @property
     def is_sampled(self) -> bool:

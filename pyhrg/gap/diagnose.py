@@ -160,8 +160,8 @@ class CampaignDiagnosis:
 
     def write_files(self, folder: Path) -> None:
         """Write the same files one after the other into a folder that exists."""
-        device_file.write(self.nominal, folder / BEFORE_FILE)
-        device_file.write(self.identified, folder / AFTER_FILE)
+        for device, file in ((self.nominal, BEFORE_FILE), (self.identified, AFTER_FILE)):
+            device_file.write(replace(device, name=self.diagnosis.device), folder / file)
         write_closed_files(self.identified, self.diagnosis, folder)
         diagnosis_file.write(self.diagnosis, folder)
 

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from pyhrg.device.device import Device
-from pyhrg.gap.evidence.noise.unstated_noise import complete_stated_noise
+from pyhrg.gap.evidence.noise.unstated_noise import complete_stated_noise, require_noise
 from pyhrg.gap.replay.free_pattern import truncate_free_pattern
 from pyhrg.gap.replay.noise_growth import add_noise_growth
 from pyhrg.gap.replay.observations import ObservedTest, add_reading_noise, observe_test
@@ -17,6 +17,7 @@ from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.gap.soundness import nominal_device, screen_campaign
 from pyhrg.gap.soundness.fault import Fault, list_reading_faults
 from pyhrg.records.campaign import Campaign, CampaignError, Test
+from pyhrg.records.table import merge_sources
 
 NO_START = "{}: not used: no row with both gyro_angle_deg and wave_angle_deg: no start angle"
 
@@ -41,13 +42,8 @@ def prepare_campaign(campaign: Campaign, simulation: Simulation) -> Preparation:
     Raises:
         CampaignError: no test can be fitted.
     """
-    usable, excluded, faults = screen_campaign(campaign)
-    nominal = nominal_device(usable)
-    started = [test for test in usable.tests if has_start_angle(test.log)]
-    excluded += tuple(NO_START.format(test.id) for test in usable.tests if test not in started)
+    nominal, started, excluded, faults = _select_tests(campaign)
     to_fit = [observe_test(test, nominal) for test in started if not test.is_holdout]
-    if not to_fit:
-        raise CampaignError("; ".join(["no test can be fitted to", *excluded]))
     nominal, notes = complete_stated_noise(simulation, nominal, to_fit)
     noise = estimate_reading_noise([t.log for t in started if not t.is_holdout])
     excluded += (*notes, *describe_reading_noise(noise))
@@ -55,6 +51,37 @@ def prepare_campaign(campaign: Campaign, simulation: Simulation) -> Preparation:
     tests = list(add_noise_growth(observed, nominal))
     tests.sort(key=lambda test: test.test.is_holdout)
     return Preparation(nominal, tests, excluded, (*faults, *list_reading_faults(noise)))
+
+
+def describe_preparation(campaign: Campaign) -> str:
+    """What a diagnosis would leave out of a campaign or take for granted, in words."""
+    refusal = "a diagnosis would refuse it: {}"
+    try:
+        nominal, started, excluded, _ = _select_tests(campaign)
+    except CampaignError as error:
+        return refusal.format(error)
+    text = "a diagnosis would use all of it"
+    if excluded:
+        sentences = "\n".join(f"  {sentence}" for sentence in merge_sources(excluded))
+        text = f"a diagnosis would leave out, or take for granted:\n{sentences}"
+    try:
+        require_noise(nominal, [observe_test(t, nominal) for t in started if not t.is_holdout])
+    except CampaignError as error:
+        text += "\n" + refusal.format(error)
+    return text
+
+
+def _select_tests(
+    campaign: Campaign,
+) -> tuple[Device, list[Test], tuple[str, ...], tuple[Fault, ...]]:
+    """The nominal device, the tests that have a start angle, a sentence on what was left out,
+    mended or assumed, and faults."""
+    usable, excluded, faults = screen_campaign(campaign)
+    started = [test for test in usable.tests if has_start_angle(test.log)]
+    excluded += tuple(NO_START.format(test.id) for test in usable.tests if test not in started)
+    if all(test.is_holdout for test in started):
+        raise CampaignError("; ".join(["no test can be fitted to", *excluded]))
+    return nominal_device(usable), started, excluded, faults
 
 
 def _observe_test(

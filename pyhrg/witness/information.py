@@ -46,8 +46,8 @@ def compute_posterior(prior: Array, information: Array) -> Array:
 
 def factor_covariance(covariance: Array) -> Array:
     """(n, n) root R with R R^T the covariance, which may be singular; by its scaled eigenvectors,
-    because units differ by orders of magnitude."""
-    scale = np.sqrt(np.diag(covariance))
+    because units differ by orders of magnitude. A variance below zero is rounding."""
+    scale = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     safe = np.where(scale > 0, scale, 1.0)
     values, vectors = np.linalg.eigh(covariance / np.outer(safe, safe))
     return np.asarray(scale[:, None] * vectors * np.sqrt(np.maximum(values, 0.0)))

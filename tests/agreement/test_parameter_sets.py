@@ -1,5 +1,6 @@
 """The parameter sets inside the FMU are the ready devices."""
 
+import re
 import tempfile
 import zipfile
 
@@ -10,8 +11,7 @@ from fmpy.ssp.ssd import read_ssv
 
 from fmu_build import build_fmu
 from fmu_build.roots import ROOTS
-from pyhrg.device.device import Device
-from pyhrg.device.parameter_set import format_parameter_set
+from pyhrg.device.parameter_set import format_parameter_set, format_values
 from pyhrg.device.ready_devices import READY, load_device
 from pyhrg.fmu import GyroFmu
 from tests.agreement.parameter_sets import FOLDER
@@ -61,6 +61,16 @@ def test_a_set_makes_the_device() -> None:
     assert np.any(run["gyroAngle"] != 0.0)
 
 
-def test_an_integer_is_one() -> None:
-    text = format_parameter_set(Device(name="held", model={"controller.forceToRebalance": 1.0}))
-    assert '<ssv:Integer value="1" />' in text
+@pytest.mark.parametrize("model", ROOTS)
+def test_a_value_has_the_type_of_its_parameter(model: str) -> None:
+    """Of every parameter of every gyro: no Integer is set as a Real."""
+    described = fmpy.read_model_description(str(build_fmu(model))).modelVariables
+    kinds = {v.name: v.type for v in described if v.causality == "parameter"}
+    text = format_values(dict.fromkeys(kinds, 1.0))
+    found = re.findall(r'name="([^"]+)">\s*<ssv:(\w+) ', text)
+    assert dict(found) == kinds
+    assert [name for name, kind in kinds.items() if kind == "Integer"] == [
+        "seed",
+        "ring.electrodes",
+        "controller.forceToRebalance",
+    ]

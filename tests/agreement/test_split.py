@@ -1,4 +1,5 @@
-"""The gyro in two FMUs, resonator and electronics, is the gyro in one."""
+"""The gyro in two FMUs, resonator and electronics, is the gyro in one; so is one whose electronics
+are replaced by their like."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -87,3 +88,42 @@ def test_both_have_the_gyros_parameters(gyros: list[Importer]) -> None:
     )
     assert whole <= set.union(*halves)
     assert set.union(*halves) - whole <= {"authority", "startForce", "bryanFactor", "frequency"}
+
+
+OWN = """model Own "The gyro with electronics of one's own"
+  extends HRG.Gyroscopes.HRGEnvelope(
+    redeclare HRG.Examples.BaseClasses.ThreeLoops controller(
+      quadratureLoop(naturalFrequency = {})));
+end Own;
+"""
+
+
+def record_own(folder: Path, frequency: float) -> list[list[float]]:
+    """Outputs of a gyro whose electronics are put in, quadrature loop at a natural frequency."""
+    file = folder / "Own.mo"
+    file.write_text(OWN.format(frequency))
+    return record_turn(build_fmu(class_file=file), folder / f"own-{frequency}")
+
+
+def record_turn(fmu: Path, folder: Path) -> list[list[float]]:
+    """Outputs every 10 ms of 2 s in which the case begins to turn."""
+    with ZipFile(fmu) as archive:
+        archive.extractall(folder)
+    gyro = Importer(folder)
+    unread = {"noise.rateRandomWalk", "noise.virtualRotation"}
+    gyro.begin({name: value for name, value in (SHARED | PLANT).items() if name not in unread})
+    outputs = []
+    for k in range(200):
+        gyro.set({"angularRate": 0.3 if k > 30 else 0.0})
+        gyro.slave.doStep(k * 10 * PERIOD, 10 * PERIOD)
+        outputs.append(gyro.get(OUTPUTS[:-1]))
+    gyro.free()
+    return outputs
+
+
+def test_electronics_are_replaced_by_one_redeclaration(tmp_path: Path) -> None:
+    """Three loops of the same parts and constants as the gyro's own give its bits; with another
+    constant they don't."""
+    usual = record_turn(build_fmu("HRG"), tmp_path / "HRG")
+    assert record_own(tmp_path, 6.0) == usual
+    assert record_own(tmp_path, 2.0) != usual

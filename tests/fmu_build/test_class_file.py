@@ -87,8 +87,23 @@ LOOP = "Real p = q; Real q = p;"
             'model X "f(a.b = 1)"\n// g(a.b = 1)\n  M m(each\n a.b.c = 1 == 1); end X;',
             r"row 4: found .*a\.b\.c.*expected a\(b\(c = \.\.\.\)\)",
         ),
+        (
+            'model X "redeclare model A = B(c = 1)"\n M m(redeclare\n block A = B(c = 1)); end X;',
+            r"row 2: found modifiers in a redeclaration of the class A.*block MyClass = B\(",
+        ),
     ],
-    ids=["deep", "memory", "loop", "time", "text", "bell", "no gyro", "other name", "dots"],
+    ids=[
+        "deep",
+        "memory",
+        "loop",
+        "time",
+        "text",
+        "bell",
+        "no gyro",
+        "other name",
+        "dots",
+        "redeclared",
+    ],
 )
 def test_a_class_that_cannot_be_built_is_refused(tmp_path: Path, text: str, message: str) -> None:
     """In one line, whatever the Modelica compiler does."""

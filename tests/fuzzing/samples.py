@@ -18,7 +18,7 @@ from ins_eval.imu.specification import load_imu
 from ins_eval.trajectories.catalogue import load_trajectory
 from pyhrg.device.device_file import from_table
 from pyhrg.device.ready_devices import TYPICAL
-from pyhrg.gap.soundness import describe_screening
+from pyhrg.gap.preparation import describe_preparation
 from pyhrg.gap.static_record.belief import read_beliefs
 from pyhrg.gap.static_record.record import read_static_record
 from pyhrg.records import read_log, write_log
@@ -65,7 +65,7 @@ NOMINAL = {"coriolis_factor": 0.277, "decay_time_s": 450.0, "frequency_Hz": 7000
 def _read_campaign(folder: Path) -> None:
     campaign = read_campaign(folder)
     from_table(campaign.nominal, campaign.device)
-    describe_screening(campaign)
+    describe_preparation(campaign)
 
 
 def _write_foreign(folder: Path) -> None:

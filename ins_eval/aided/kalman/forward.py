@@ -105,7 +105,7 @@ class Filter:
 
     def __init__(self, sensors: SensorStates, start: Array, step: float) -> None:
         count = COUNT + len(sensors)
-        self.mean = np.zeros(count)
+        self.mean = np.concatenate([np.zeros(COUNT), sensors.mean])
         self.covariance = np.zeros((count, count))
         self.covariance[:COUNT, :COUNT] = start
         self.covariance[COUNT:, COUNT:] = sensors.covariance

@@ -1,10 +1,6 @@
 within HRG.Controls;
 block Controller "Phase, amplitude and quadrature loops and the read-out; whole-angle or force-to-rebalance"
   extends PartialController;
-  parameter Units.RelativeForce startForce "Force on the antinode at time 0";
-  output Units.RelativeForce force[4] "Commanded force {cos x, sin x, cos y, sin y}";
-  output Units.DampingCoefficient pump "Commanded growth by parametric drive";
-  output Units.RelativeForce acting[4] "Force that was held up to the sample";
   ProportionalIntegral phaseLoop(
     samplePeriod = samplePeriod,
     naturalFrequency = 200,
@@ -72,6 +68,9 @@ equation
   acting = synthesis.acting;
   reference = phaseLoop.command;
   commandedTurn = (1 - forceToRebalance)*(2*readout.bryanFactor*virtualRotation*driveOn) + 2*sweep.rate*driveOn;
+  gyroAngle = readout.gyroAngle;
+  gyroRate = readout.gyroRate;
+  frequencyOffset = reference - readout.clockError*frequency;
   annotation (Documentation(info="<html>
 <p>Four sampled loops on the detected orbit, as D. D. Lynch's control of the averaged equations: the phase loop turns the
 reference frequency until phase + offset is zero; the amplitude loop sets the force on the antinode, A; the quadrature

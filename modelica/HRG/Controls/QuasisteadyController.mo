@@ -12,7 +12,6 @@ block QuasisteadyController "Control electronics whose loops follow at once"
   input Units.DimensionlessRatio driveGain[4] "Drives' force over command";
   input Units.DimensionlessRatio pumpGain[3] "Growth by parametric drive over command, of x, of y and between them";
   output Real rates[4] "Derivatives of modal angle, amplitude, quadrature and phase";
-  output Units.RelativeForce force[4] "Force in action {cos x, sin x, cos y, sin y}";
   QuasisteadyLoops synthesis(
     samplePeriod = samplePeriod,
     freeRates = freeRates,
@@ -62,10 +61,15 @@ equation
   der(swept) = sweep.rate;
   rates = {synthesis.motion[1], synthesis.motion[2], synthesis.motion[3], synthesis.motion[4]};
   force = synthesis.force;
+  acting = synthesis.force;
+  pump = parametricShare*growthRate;
   growthRate = synthesis.growthRate;
   quadratureForce = synthesis.quadratureForce;
-  reference = synthesis.motion[8];
+  reference = synthesis.reference;
   commandedTurn = (1 - forceToRebalance)*(2*readout.bryanFactor*virtualRotation*driveOn) + 2*sweep.rate*driveOn;
+  gyroAngle = readout.gyroAngle;
+  gyroRate = readout.gyroRate;
+  frequencyOffset = reference - readout.clockError*frequency;
   annotation (Documentation(info="<html>
 <p>The parts of <code>Controller</code> around <code>QuasisteadyLoops</code>: forces are those that hold amplitude, quadrature and phase,
 and the rotation that they command is counted continuously. In the force-to-rebalance mode the counted rotation is the one that

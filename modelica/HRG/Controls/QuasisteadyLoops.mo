@@ -26,9 +26,10 @@ block QuasisteadyLoops "Loops that follow at once, and the forces they need"
   input Real rebalance "1 in the force-to-rebalance mode, 0 in the whole-angle mode";
   input Units.AngularVelocity patternRate "Commanded rotation of the pattern, in the whole-angle mode";
   output Real detection[6] "Detected orbit, as of deviation()";
-  output Real motion[9] "As of precession()";
+  output Real motion[10] "As of precession()";
   output Units.DampingCoefficient growthRate "Force on the antinode over the detected amplitude";
   output Units.RelativeForce quadratureForce "Force on the node in quadrature";
+  output Units.AngularFrequency reference "Reference frequency less the nominal one";
   output Units.AngularVelocity drivenRate "Rotation of the pattern that is driven, as a command";
   output Units.AngularVelocity lostRate "Rotation that the drives' authority takes away, as a command";
   output Units.RelativeForce force[4] "Force in action, for the feedthrough, {cos x, sin x, cos y, sin y}";
@@ -43,6 +44,11 @@ protected
   Units.RelativeForce node(start = 0, fixed = true) "Force on the node, likewise";
   Units.RelativeForce square(start = 0, fixed = true) "Force on the node in quadrature, likewise";
   Units.DimensionlessRatio command "Command over force; 0 with the drive off";
+  Units.DimensionlessRatio effort "Command over force on the shell; 0 where the drive does not hold the orbit, and in the first period";
+  discrete Units.DimensionlessRatio started(start = 0, fixed = true) "1 from the first sample on";
+  discrete Units.DimensionlessRatio passed(start = 0, fixed = true) "1 from the second sample on";
+  discrete Units.DimensionlessRatio last[3](each start = 0, each fixed = true) "Amplitude, quadrature and phase at the last sample";
+  discrete Units.DampingCoefficient mean[3](each start = 0, each fixed = true) "Their mean rates over the last period";
 equation
   command = noEvent(if driveOn > 0 then 1/driveOn else 0);
   detection = deviation(analogue, axes);
@@ -63,8 +69,16 @@ equation
   der(antinode) = ((1 - parametricShare)*motion[5] - antinode)/samplePeriod;
   der(node) = (motion[7] - node)/samplePeriod;
   der(square) = (motion[6] - square)/samplePeriod;
-  growthRate = motion[5]/detection[1];
-  quadratureForce = motion[6];
+  when sample(0, samplePeriod) then
+    passed = pre(started);
+    started = 1;
+    mean = {(amplitude - pre(last[1]))/samplePeriod, (quadrature - pre(last[2]))/samplePeriod, (phase - pre(last[3]))/samplePeriod};
+    last = {amplitude, quadrature, phase};
+  end when;
+  effort = 2*passed*motion[10]/(driveGain[1] + driveGain[4]);
+  growthRate = (motion[5] + effort*(mean[1] - motion[2]))/detection[1];
+  quadratureForce = motion[6] + effort*(mean[2] - motion[3]);
+  reference = motion[8] - passed*(mean[3] - motion[4]);
   drivenRate = motion[7]*command/(2*detection[1]);
   lostRate = motion[9]*command/(2*detection[1]);
   force = {
@@ -75,7 +89,9 @@ equation
   annotation (Documentation(info="<html>
 <p>Real loops settle in a second or two. Here amplitude, quadrature and phase approach their aims with a time constant of
 three output periods, and forces follow at once; what is slower than that is as with the real loops. The angle that a change of
-amplitude leaves by misaimed forces is right within 3 % up to a factor of three. Not in here: the loops' own transients, their
+amplitude leaves by misaimed forces is right within 3 % up to a factor of three. Inputs and temperature are held from sample to sample, so that the loops catch up with a pick-off's gain or phase in steps. They leave r = 1 - 1/3 + 1/18 of each step
+by the end of its period: of the mean that a force needs, its value there is r/(3 (1 - r)) = 13/15, or 1/(3 (1 - r)) = 6/5 where the next step has come. Forces and reference
+that are shown are therefore means of the last period. Not in here: the loops' own transients, their
 response to overload, and the noise of pick-offs on its way through them. With the drive off an orbit that becomes a circle
 (a split that turns quadrature up to the amplitude) has no antinode, and the elements of the orbit end there.</p>
 </html>"));

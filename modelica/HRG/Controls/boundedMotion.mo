@@ -8,18 +8,23 @@ function boundedMotion "Motion of the orbit under forces that the drives' author
   input Units.DimensionlessRatio aim[2] "Cosine and sine of the modal angle that forces are resolved with";
   input Units.DimensionlessRatio gain[4] "Drives' force over command, {x by x, x by y, y by x, y by y}";
   input Units.RelativeForce authority "A channel clips at this force";
-  output Real result[7] "{rates of modal angle, amplitude and quadrature, of the phase and the reference together; forces given, as wanted}";
+  output Real result[8] "{rates of modal angle, amplitude and quadrature, of the phase and the reference together; forces given, as wanted; 1 where a channel clips}";
 protected
+  Units.RelativeForce channels[4] "Command without a limit {cos x, sin x, cos y, sin y}";
   Units.RelativeForce bounded[4] "Command within the drives' authority {cos x, sin x, cos y, sin y}";
   Units.RelativeForce turned[4] "On the shell";
   Units.RelativeForce force[4] "On the shell, less the phase";
   Real total[4] "Rates on the true axes";
   Real spread "Inverse of a^2 - q^2";
 algorithm
-  bounded[1] := Electrodes.digitised(forces[1]*aim[1] - forces[3]*aim[2], 0, authority);
-  bounded[2] := Electrodes.digitised(-forces[2]*aim[2], 0, authority);
-  bounded[3] := Electrodes.digitised(forces[1]*aim[2] + forces[3]*aim[1], 0, authority);
-  bounded[4] := Electrodes.digitised(forces[2]*aim[1], 0, authority);
+  channels[1] := forces[1]*aim[1] - forces[3]*aim[2];
+  channels[2] := -forces[2]*aim[2];
+  channels[3] := forces[1]*aim[2] + forces[3]*aim[1];
+  channels[4] := forces[2]*aim[1];
+  bounded[1] := Electrodes.digitised(channels[1], 0, authority);
+  bounded[2] := Electrodes.digitised(channels[2], 0, authority);
+  bounded[3] := Electrodes.digitised(channels[3], 0, authority);
+  bounded[4] := Electrodes.digitised(channels[4], 0, authority);
   turned[1] := gain[1]*bounded[1] + gain[2]*bounded[3];
   turned[2] := gain[1]*bounded[2] + gain[2]*bounded[4];
   turned[3] := gain[3]*bounded[1] + gain[4]*bounded[3];
@@ -40,10 +45,12 @@ algorithm
   result[5] := bounded[1]*aim[1] + bounded[3]*aim[2];
   result[6] := bounded[4]*aim[1] - bounded[2]*aim[2];
   result[7] := bounded[3]*aim[1] - bounded[1]*aim[2];
+  result[8] := if abs(channels[1] - bounded[1]) + abs(channels[2] - bounded[2]) + abs(channels[3] - bounded[3])
+    + abs(channels[4] - bounded[4]) > 0 then 1 else 0;
   annotation (Documentation(info="<html>
 <p>As <code>precession</code>, with h the rates of the envelope on the true axes, forces included, antinode (a) and node (n):</p>
 <pre>a' = Re h_a    q' = -Im h_n    alpha' = (a Re h_n - q Im h_a)/(a^2 - q^2)    psi = (a Im h_a - q Re h_n)/(a^2 - q^2)</pre>
-<p>alpha is the modal angle, psi the rate of the phase and the reference together. The last three elements are the clipped forces. No loop is taken as closed: a clipped force
+<p>alpha is the modal angle, psi the rate of the phase and the reference together. Elements 5 to 7 are the clipped forces. No loop is taken as closed: a clipped force
 leaves what it can't hold to the motion.</p>
 </html>"));
 end boundedMotion;

@@ -14,7 +14,7 @@ function precession "Motion of the orbit under loops that are at rest, and the f
   input Real wanted[4] "Rates that loops ask for: of modal angle, amplitude, quadrature and phase";
   input Units.AngularVelocity patternRate "Commanded rotation of the pattern, in the whole-angle mode";
   input Real rebalance "1: the rate of the modal angle is what loops ask for; 0: the pattern is free";
-  output Real result[9] "{rates of modal angle, amplitude, quadrature and phase; forces given on the antinode, on the node in quadrature, on the node; reference; force on the node that the authority took away}";
+  output Real result[10] "{rates of modal angle, amplitude, quadrature and phase; forces given on the antinode, on the node in quadrature, on the node; reference; force on the node that the authority took away; 1 while the drive holds amplitude and quadrature, 0 with it off or a channel clipped}";
 protected
   Real turned[4] "Free rates less the phase";
   Real h[4] "Free rates on the true axes: {antinode real, imaginary, node real, imaginary}";
@@ -37,7 +37,7 @@ protected
   Real swing "Rate of the phase and the reference together, without a force that rotates";
   Real reaction "The same per force that rotates";
   Real forces[3] "Of the electrodes, all three";
-  Real motion[7] "As of boundedMotion()";
+  Real motion[8] "As of boundedMotion()";
 algorithm
   turned[1] := axes[3]*free[1] - axes[4]*free[2];
   turned[2] := axes[3]*free[2] + axes[4]*free[1];
@@ -85,7 +85,7 @@ algorithm
       {h[1] + antinode*(axes[3]*pump[1] - axes[4]*pump[2]), h[2] - antinode*(axes[3]*pump[2] + axes[4]*pump[1]),
        h[3] + antinode*(axes[3]*pump[3] - axes[4]*pump[4]), h[4] - antinode*(axes[3]*pump[4] + axes[4]*pump[3])},
       amplitude, quadrature, axes, aim, gain, authority)
-    else {drift + response*node, wanted[2], wanted[3], swing + reaction*node, forces[1], square, node};
+    else {drift + response*node, wanted[2], wanted[3], swing + reaction*node, forces[1], square, node, 0};
   result[1] := motion[1];
   result[2] := motion[2];
   result[3] := motion[3];
@@ -95,6 +95,7 @@ algorithm
   result[7] := motion[7];
   result[8] := motion[4] - wanted[4];
   result[9] := node - motion[7];
+  result[10] := on*(1 - motion[8]);
   annotation (Documentation(info="<html>
 <p>In the frame of the orbit, exp(-i phi) Z' has the antinode component a' + i (a psi + q alpha') and the node component
 (a alpha' + q psi) - i q', with psi = phi' + nu, nu the reference's frequency. The drive adds A, N and -i S along the

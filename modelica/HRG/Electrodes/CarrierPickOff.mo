@@ -9,7 +9,8 @@ block CarrierPickOff "Displacement at its carrier, converted and demodulated"
   parameter Units.RelativeDisplacement startAmplitude "Antinode amplitude at time 0";
   input Units.RelativeDisplacement position[2] "Displacement {x, y}";
   input Units.DimensionlessRatio carrier[2] "Cosine and sine of the reference oscillator's phase";
-  input Units.RelativeForce force[4] "Force in action";
+  Interfaces.Inputs.RelativeForce force[4] "Force in action"
+    annotation (Placement(transformation(extent = {{-120, -60}, {-100, -40}})));
 protected
   final parameter Units.DimensionlessRatio window = samplePeriod/converterPeriod "Samples of a control period";
   discrete Units.RelativeDisplacement y(start = 0, fixed = true) "y with the share of x";

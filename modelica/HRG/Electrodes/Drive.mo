@@ -1,11 +1,16 @@
 within HRG.Electrodes;
 block Drive "Force as the shell feels it"
   extends DriveErrors;
-  input Units.RelativeForce command[4] "Commanded force {cos x, sin x, cos y, sin y}";
-  input Units.DampingCoefficient pump "Commanded growth by parametric drive";
-  input Units.RelativeForce noise[4] "Force noise, thermomechanical noise included";
-  output Units.RelativeForce force[4] "Force on the shell {cos x, sin x, cos y, sin y}";
-  output Units.DampingCoefficient pumping[3] "Growth by parametric drive of x, of y and between them";
+  Interfaces.Inputs.RelativeForce command[4] "Commanded force {cos x, sin x, cos y, sin y}"
+    annotation (Placement(transformation(extent = {{-120, -85}, {-100, -65}})));
+  Interfaces.Inputs.DampingCoefficient pump "Commanded growth by parametric drive"
+    annotation (Placement(transformation(extent = {{-120, -35}, {-100, -15}})));
+  Interfaces.Inputs.RelativeForce noise[4] "Force noise, thermomechanical noise included"
+    annotation (Placement(transformation(extent = {{-120, 15}, {-100, 35}})));
+  Interfaces.Outputs.RelativeForce force[4] "Force on the shell {cos x, sin x, cos y, sin y}"
+    annotation (Placement(transformation(extent = {{100, -60}, {120, -40}})));
+  Interfaces.Outputs.DampingCoefficient pumping[3] "Growth by parametric drive of x, of y and between them"
+    annotation (Placement(transformation(extent = {{100, 40}, {120, 60}})));
 equation
   force = {
     gain[1]*command[1] + gain[2]*command[3] + noise[1],

@@ -17,7 +17,8 @@ block DriveErrors "Errors of the drives"
   parameter Units.Angle pumpAxis(min = -1000, max = 1000) = 0 "Pattern angle at which it pumps most";
   parameter Units.DimensionlessRatio ringErrors[9] "Errors of the electrode ring, as of ringErrors";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
-  input Units.DimensionlessRatio biasVoltage "Over the nominal one";
+  Interfaces.Inputs.DimensionlessRatio biasVoltage "Over the nominal one"
+    annotation (Placement(transformation(extent = {{-120, 65}, {-100, 85}})));
   input Real temperatureRate(unit = "K/s") "Rate of the case's temperature";
   output Units.DimensionlessRatio gain[4] "Force over command, {x by x, x by y, y by x, y by y}";
   output Units.DimensionlessRatio pumpGain[3] "Growth by parametric drive over the command, of x, of y and between them";
@@ -42,7 +43,8 @@ equation
     scaleY*(turn[2] + share*turn[1]),
     scaleY*(turn[1] - share*turn[2])};
   pumpGain = {strength*(1 + pumpCos), strength*(1 - pumpCos), strength*pumpSin};
-  annotation (Documentation(info="<html>
+  annotation (Icon(graphics = {Rectangle(extent = {{-100, 100}, {100, -100}}), Line(points = {{-20, 60}, {-20, -60}}), Line(points = {{20, 60}, {20, -60}}), Line(points = {{-100, 0}, {-20, 0}}), Text(extent = {{-150, 140}, {150, 105}}, textString = "%name", textColor = {0, 0, 255})}),
+    Documentation(info="<html>
 <p>Of the command {x, y}, which the electronics keep within the authority,</p>
 <pre>force = (1 + gainPerVoltage (V - 1)) [[1 + gd/2, 0], [0, 1 - gd/2]] [[1, 0], [nd, 1]] [[cos e, -sin e], [sin e, cos e]] {x, y}
 e = frameRotation + rotationPerTemperatureRate dT/dt + rotationPerAcceleration f</pre>

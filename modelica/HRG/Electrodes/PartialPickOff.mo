@@ -34,11 +34,16 @@ partial block PartialPickOff "Errors of pick-offs, demodulation and converters"
   input Units.Time age "Time since power-on";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
   input Units.AngularVelocity turning "Rate of the modal angle, as the case turns and as commanded";
-  input Units.DimensionlessRatio biasVoltage "Over the nominal one";
-  input Units.DimensionlessRatio gainFlicker "Change of g by its flicker";
-  input Units.Angle phaseFlicker "Change of p by its flicker";
-  input Units.RelativeDisplacement noise[4] "Noise of the demodulated channels";
-  output Units.RelativeDisplacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
+  Interfaces.Inputs.DimensionlessRatio biasVoltage "Over the nominal one"
+    annotation (Placement(transformation(extent = {{-120, -27}, {-100, -7}})));
+  Interfaces.Inputs.DimensionlessRatio gainFlicker "Change of g by its flicker"
+    annotation (Placement(transformation(extent = {{-120, 73}, {-100, 93}})));
+  Interfaces.Inputs.Angle phaseFlicker "Change of p by its flicker"
+    annotation (Placement(transformation(extent = {{-120, 40}, {-100, 60}})));
+  Interfaces.Inputs.RelativeDisplacement noise[4] "Noise of the demodulated channels"
+    annotation (Placement(transformation(extent = {{-120, -93}, {-100, -73}})));
+  Interfaces.Outputs.RelativeDisplacement reading[4] "Demodulated displacement {cx, sx, cy, sy}"
+    annotation (Placement(transformation(extent = {{100, -10}, {120, 10}})));
 protected
   final parameter Units.DimensionlessRatio scale = 1 + ringErrors[1] "Mean gain";
   final parameter Units.DimensionlessRatio steadyMismatch = gainMismatch + ringErrors[2] + gainPerAccelerationSquared[1]*vibrationVariance[1]
@@ -71,7 +76,8 @@ equation
     axes[2]*turn[1] + axes[1]*turn[2],
     axes[3]*turn[1] - axes[4]*turn[2],
     axes[4]*turn[1] + axes[3]*turn[2]};
-  annotation (Documentation(info="<html>
+  annotation (Icon(graphics = {Rectangle(extent = {{-100, 100}, {100, -100}}), Line(points = {{-20, 60}, {-20, -60}}), Line(points = {{20, 60}, {20, -60}}), Line(points = {{20, 0}, {100, 0}}), Text(extent = {{-150, 140}, {150, 105}}, textString = "%name", textColor = {0, 0, 255})}),
+    Documentation(info="<html>
 <p>With T the temperature above the reference, f the specific force and V the bias voltage over the nominal one,</p>
 <pre>g = gainMismatch + gainPerKelvin T + gainPerGradient (case's temperature - resonator's) + gainAgeing age + flicker + gainPerAcceleration f + gainPerAccelerationSquared (f^2 + vibrationVariance) (each axis by itself)
 gain of x, y = m (1 + g/2), m (1 - g/2), m = 1 + gainPerVoltage (V - 1)

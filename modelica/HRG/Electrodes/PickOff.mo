@@ -1,8 +1,10 @@
 within HRG.Electrodes;
 block PickOff "Displacement as the electronics see it"
   extends PartialPickOff;
-  input Units.RelativeDisplacement displacement[4] "True displacement {cx, sx, cy, sy}";
-  input Units.RelativeForce force[4] "Force in action at the moment of sampling";
+  Interfaces.Inputs.RelativeDisplacement displacement[4] "True displacement {cx, sx, cy, sy}"
+    annotation (Placement(transformation(extent = {{-120, 7}, {-100, 27}})));
+  Interfaces.Inputs.RelativeForce force[4] "Force in action at the moment of sampling"
+    annotation (Placement(transformation(extent = {{-120, -60}, {-100, -40}})));
   output Units.RelativeDisplacement analogue[4] "Reading before noise and conversion";
 protected
   Units.RelativeDisplacement y[2] "y with the share of x";

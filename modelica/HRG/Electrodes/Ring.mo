@@ -16,7 +16,8 @@ block Ring "Ring of electrodes around the shell: what an uneven gap makes of pic
     {eccentricity*cos(eccentricityAxis), secondHarmonic*cos(2*secondAxis), thirdHarmonic*cos(3*thirdAxis), fourthHarmonic*cos(4*fourthAxis)},
     {eccentricity*sin(eccentricityAxis), secondHarmonic*sin(2*secondAxis), thirdHarmonic*sin(3*thirdAxis), fourthHarmonic*sin(4*fourthAxis)})
     "As of ringErrors";
-  annotation (Documentation(info="<html>
+  annotation (Icon(graphics = {Ellipse(extent = {{-90, 90}, {90, -90}}), Ellipse(extent = {{-70, 70}, {70, -70}}), Text(extent = {{-150, 140}, {150, 105}}, textString = "%name", textColor = {0, 0, 255})}),
+    Documentation(info="<html>
 <p>The gap is d(1 + E), E its harmonics over the mean; electrode j at 2 pi j/n reads the shell's displacement over its width with a gain of
 1/(1 + E)^2, and the electronics add the electrodes weighted by cos 2 phi_j for x, sin 2 phi_j for y. A force is the same sum the other way
 round, so that the matrix of the drives is the transpose of that of the pick-offs. <code>ringErrors</code> turns both into the gain mismatch,

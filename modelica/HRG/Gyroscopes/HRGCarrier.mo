@@ -55,6 +55,7 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     samplePeriod = samplePeriod,
     startAngle = startAngle,
     startForce = startAmplitude/resonator.material.decayTime,
+    frequency = resonator.material.frequency,
     reading = pickOff.reading,
     amplitudeSetpoint = amplitudeSetpoint,
     phaseOffset = phaseOffset,
@@ -64,15 +65,15 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     rateNoise = noise.patternRate,
     gainNoise = noise.rotation) "Control electronics";
 equation
-  gyroAngle = controller.readout.gyroAngle;
-  gyroRate = controller.readout.gyroRate;
-  patternAngle = controller.detector.patternAngle;
-  amplitude = controller.detector.amplitude;
-  quadrature = controller.detector.quadrature;
+  gyroAngle = controller.gyroAngle;
+  gyroRate = controller.gyroRate;
+  patternAngle = controller.patternAngle;
+  amplitude = controller.detectedAmplitude;
+  quadrature = controller.detectedQuadrature;
   amplitudeForce = controller.growthRate;
   quadratureForce = controller.quadratureForce;
-  frequencyOffset = controller.reference - controller.readout.clockError*resonator.material.frequency;
-  valid = controller.startUp.valid;
+  frequencyOffset = controller.frequencyOffset;
+  valid = controller.valid;
   annotation (Documentation(info="<html>
 <p>The coupled oscillators x and y of <code>Resonators.Oscillator</code>, before averaging (D. D. Lynch), and the electronics of
 <code>HRGEnvelope</code> after converters and demodulation.</p>

@@ -34,6 +34,7 @@ model HRGElectronics "Control electronics of HRGEnvelope, for HRGPlant"
     samplePeriod = samplePeriod,
     startAngle = startAngle,
     startForce = startForce,
+    frequency = frequency,
     reading = reading,
     amplitudeSetpoint = amplitudeSetpoint,
     phaseOffset = phaseOffset,
@@ -47,16 +48,16 @@ equation
   pump = controller.pump;
   reference = controller.reference;
   commandedRate = controller.commandedTurn;
-  isHeld = controller.forceToRebalance;
-  gyroAngle = controller.readout.gyroAngle;
-  gyroRate = controller.readout.gyroRate;
-  patternAngle = controller.detector.patternAngle;
-  amplitude = controller.detector.amplitude;
-  quadrature = controller.detector.quadrature;
+  isHeld = controller.isHeld;
+  gyroAngle = controller.gyroAngle;
+  gyroRate = controller.gyroRate;
+  patternAngle = controller.patternAngle;
+  amplitude = controller.detectedAmplitude;
+  quadrature = controller.detectedQuadrature;
   amplitudeForce = controller.growthRate;
   quadratureForce = controller.quadratureForce;
-  frequencyOffset = controller.reference - controller.readout.clockError*frequency;
-  valid = controller.startUp.valid;
+  frequencyOffset = controller.frequencyOffset;
+  valid = controller.valid;
   annotation (Documentation(info="<html>
 <p>The controller of <code>HRGEnvelope</code> by itself. A sample at the end of a step reads the input <code>reading</code>: step
 <code>HRGPlant</code> first and hand its reading on before these electronics make the same step, and the loop has no delay but its own.

@@ -44,6 +44,8 @@ model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-ste
   Controls.QuasisteadyController controller(
     samplePeriod = samplePeriod,
     startAngle = startAngle,
+    startForce = startAmplitude/resonator.material.decayTime,
+    frequency = resonator.material.frequency,
     reading = pickOff.reading,
     amplitudeSetpoint = amplitudeSetpoint,
     phaseOffset = phaseOffset,
@@ -68,15 +70,15 @@ protected
 equation
   der(warmth) = (caseTemperature - resonator.environment.referenceTemperature + resonator.environment.selfHeating - warmth)
     /resonator.environment.thermalLag;
-  gyroAngle = controller.readout.gyroAngle;
-  gyroRate = controller.readout.gyroRate;
-  patternAngle = controller.detector.patternAngle;
-  amplitude = controller.detector.amplitude;
-  quadrature = controller.detector.quadrature;
+  gyroAngle = controller.gyroAngle;
+  gyroRate = controller.gyroRate;
+  patternAngle = controller.patternAngle;
+  amplitude = controller.detectedAmplitude;
+  quadrature = controller.detectedQuadrature;
   amplitudeForce = controller.growthRate;
   quadratureForce = controller.quadratureForce;
-  frequencyOffset = controller.reference - controller.readout.clockError*resonator.material.frequency;
-  valid = controller.startUp.valid;
+  frequencyOffset = controller.frequencyOffset;
+  valid = controller.valid;
   annotation (Documentation(info="<html>
 <p>With h = exp(-i phi) (Z' of the free envelope + U) on the antinode (a) and the node (n), the orbit of pattern angle theta, amplitude
 a, quadrature q and phase phi moves by (Z' the rate of <code>Resonators.envelopeRates</code>, U the force of the drives, nu the frequency

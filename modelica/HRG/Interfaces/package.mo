@@ -1,6 +1,6 @@
 within HRG;
-package Interfaces "What a gyro shows to the outside"
+package Interfaces "What a gyro and its electronics show to the outside"
   annotation (Documentation(info="<html>
-<p>Inputs, outputs and power-on values of a gyro, whatever it is made of.</p>
+<p>Connectors and power-on values of a gyro, whatever it is made of, and of its electronics; <code>Inputs</code> and <code>Outputs</code> are the kinds of connectors.</p>
 </html>"));
 end Interfaces;

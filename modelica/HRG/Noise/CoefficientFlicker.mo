@@ -8,9 +8,12 @@ block CoefficientFlicker "Flicker of damping anisotropy, of the pick-offs' gain 
     "Flicker coefficient of g, typically 1e-7 to 1e-6 (estimate): 0.02 to 0.2 arcsec of angle, and 4e-5 to 4e-4 deg/h at a decay time of 450 s";
   parameter Units.Angle phaseError(min = 0, max = 0.1) = 0
     "Flicker coefficient of p, typically 1e-7 to 1e-6 (estimate): 6e-5 to 6e-4 deg/h under a split of 0.5 mHz";
-  output Units.DimensionlessRatio damping "Relative change of the damping anisotropy";
-  output Units.DimensionlessRatio gain "Change of the gain mismatch";
-  output Units.Angle phase "Change of the phase";
+  Interfaces.Outputs.DimensionlessRatio damping "Relative change of the damping anisotropy"
+    annotation (Placement(transformation(extent = {{100, -77}, {120, -57}})));
+  Interfaces.Outputs.DimensionlessRatio gain "Change of the gain mismatch"
+    annotation (Placement(transformation(extent = {{100, 57}, {120, 77}})));
+  Interfaces.Outputs.Angle phase "Change of the phase"
+    annotation (Placement(transformation(extent = {{100, -10}, {120, 10}})));
 protected
   final parameter Units.DimensionlessRatio start[45] = seededFlickers(seed) "Memory at time 0";
   final parameter Units.DimensionlessRatio scale = 2.0794415416798357/Constants.pi "Of a sum of lags, ln 8/pi";
@@ -25,7 +28,8 @@ equation
   damping = dampingAnisotropy*scale*memory[43];
   gain = gainMismatch*scale*memory[44];
   phase = phaseError*scale*memory[45];
-  annotation (Documentation(info="<html>
+  annotation (Icon(graphics = {Rectangle(extent = {{-100, 100}, {100, -100}}), Line(points = {{-80, -20}, {-50, 10}, {-30, -10}, {0, 40}, {30, 20}, {50, 50}, {80, 30}}), Text(extent = {{-150, 140}, {150, 105}}, textString = "%name", textColor = {0, 0, 255})}),
+    Documentation(info="<html>
 <p>Each is the sum of <code>flickers</code>, scaled to its coefficient, in the sense of <code>ElectronicsNoise</code>: of coefficient B, it has the density B^2/(2 pi f) and
 an Allan deviation of 0.664 B. Its generators start from the gyro's seed by a hash of their own, so that they are unrelated to those of <code>ElectronicsNoise</code>. These coefficients
 move in minutes, so that a period of 10 ms is fine for them. Mechanism 38: the bias flickers as these coefficients make it, with the pattern angle, where

@@ -14,10 +14,14 @@ block ElectronicsNoise "White noise of the force and pick-off channels, slow noi
     "Flicker coefficient B, in rad/s, typically 2e-9 to 2e-8: 5e-4 to 5e-3 deg/h, the bias stability at a fixed pattern angle";
   parameter Units.NoiseDensity virtualRotation(max = 1) = 0
     "White relative noise of a commanded rotation, in 1/sqrt(Hz), typically 3e-6 to 2e-5: at 10 deg/s an angle random walk of 2e-3 to 1e-2 deg/sqrt(h)";
-  output Units.RelativeForce force[4] "Force noise {cos x, sin x, cos y, sin y}";
-  output Units.RelativeDisplacement displacement[4] "Pick-off noise {cx, sx, cy, sy}";
-  output Units.AngularVelocity patternRate "Slow noise, as a pattern rate";
-  output Units.DimensionlessRatio rotation "Relative noise of the commanded rotation";
+  Interfaces.Outputs.RelativeForce force[4] "Force noise {cos x, sin x, cos y, sin y}"
+    annotation (Placement(transformation(extent = {{100, 65}, {120, 85}})));
+  Interfaces.Outputs.RelativeDisplacement displacement[4] "Pick-off noise {cx, sx, cy, sy}"
+    annotation (Placement(transformation(extent = {{100, 15}, {120, 35}})));
+  Interfaces.Outputs.AngularVelocity patternRate "Slow noise, as a pattern rate"
+    annotation (Placement(transformation(extent = {{100, -35}, {120, -15}})));
+  Interfaces.Outputs.DimensionlessRatio rotation "Relative noise of the commanded rotation"
+    annotation (Placement(transformation(extent = {{100, -85}, {120, -65}})));
 protected
   final parameter Units.DimensionlessRatio start[84] = seededState(seed) "Memory at time 0";
   final parameter Units.RelativeForce forceDeviation = 2*bryanFactor*sqrt(angleRandomWalk^2/samplePeriod)
@@ -52,7 +56,8 @@ equation
     pickOffDeviation*memory[80]};
   patternRate = walk + flickerScale*(lags[1] + lags[2] + lags[3] + lags[4] + lags[5] + lags[6] + lags[7] + lags[8]);
   rotation = rotationDeviation*memory[83];
-  annotation (Documentation(info="<html>
+  annotation (Icon(graphics = {Rectangle(extent = {{-100, 100}, {100, -100}}), Line(points = {{-80, 0}, {-60, 50}, {-40, -60}, {-20, 30}, {0, -40}, {20, 60}, {40, -20}, {60, 40}, {80, -50}}), Text(extent = {{-150, 140}, {150, 105}}, textString = "%name", textColor = {0, 0, 255})}),
+    Documentation(info="<html>
 <p>Standard deviations of a sample of period T: force channels 2 k N/sqrt(T), since a force n on the node turns the
 pattern at n/(2 a), so that the output has the angle random walk N at nominal amplitude; pick-off channels s/sqrt(T), s their <code>pickOff</code>;
 rate random walk k K sqrt(T) a step; commanded rotation s/sqrt(T), relative. Flicker noise of coefficient B is the sum of

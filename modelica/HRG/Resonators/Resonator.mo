@@ -1,10 +1,14 @@
 within HRG.Resonators;
 model Resonator "Vibrating shell, its motion as a slowly varying envelope"
   extends PartialResonator;
-  input Units.AngularFrequency reference "Frequency of the rotating frame above the nominal one";
-  input Units.RelativeForce force[4] "Drive forces {cos x, sin x, cos y, sin y}";
-  input Units.DampingCoefficient pumping[3] "Growth by parametric drive of x, of y and between them";
-  output Units.RelativeDisplacement displacement[4] "In-phase and quadrature displacement {cx, sx, cy, sy}";
+  Interfaces.Inputs.AngularFrequency reference "Frequency of the rotating frame above the nominal one"
+    annotation (Placement(transformation(extent = {{-120, -48}, {-100, -28}})));
+  Interfaces.Inputs.RelativeForce force[4] "Drive forces {cos x, sin x, cos y, sin y}"
+    annotation (Placement(transformation(extent = {{-120, -98}, {-100, -78}})));
+  Interfaces.Inputs.DampingCoefficient pumping[3] "Growth by parametric drive of x, of y and between them"
+    annotation (Placement(transformation(extent = {{-120, -72}, {-100, -52}})));
+  Interfaces.Outputs.RelativeDisplacement displacement[4] "In-phase and quadrature displacement {cx, sx, cy, sy}"
+    annotation (Placement(transformation(extent = {{100, -10}, {120, 10}})));
   Envelope envelope(
     startAngle = startAngle,
     startAmplitude = startAmplitude,

@@ -10,6 +10,8 @@ amplitude and its quadrature, keep in phase with it, and turn it on command.</p>
 <li><code>Examples</code>: small models to open first.</li>
 <li><code>Validation</code>: one claim a model, its closed form beside what the gyro shows.</li>
 </ul>
+<p>The diagram of <code>Gyroscopes.HRGEnvelope</code> shows the parts connected. Its <code>controller</code> is replaceable by any block that extends
+<code>Interfaces.PartialElectronics</code>, as <code>Examples.ReplacedElectronics</code> shows. Specific force, temperatures and gradients reach the parts by modifiers and are not drawn.</p>
 <p>Every error mechanism is a parameter of the part where it lives, zero by default: a gyro as it is dropped into a model is
 an ideal one. Its inputs are those of a device: inertial rate, specific force, temperature, supply, commands.</p>
 </html>"));

@@ -2,7 +2,7 @@
 coefficients."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -46,8 +46,12 @@ class NoiseRecord:
         return len(self.spectrum.rest)
 
 
-def find_noise_records(log: Log) -> list[NoiseRecord]:
-    """Stretches of a log without its first 30 s and the 10 s after each change of a command."""
+def find_noise_records(log: Log, gain: float | None = None) -> list[NoiseRecord]:
+    """Stretches of a log without its first 30 s and the 10 s after each change of a command.
+    Without a column of pattern angles, they follow from the output by the angular gain."""
+    if gain and not log.has_values("wave_angle"):
+        commanded = np.cumsum(np.nan_to_num(log.virtual_rotation)) * log.interval
+        log = replace(log, wave_angle=gain * (commanded - log.gyro_angle))
     stretches = list(_find_steady(log))
     long = [part for part in stretches if part.stop - part.start >= MIN_SAMPLES]
     if not long:
@@ -145,7 +149,8 @@ def fit_noise_of_tests(campaign: Campaign, kind: str, turning: bool) -> Noise | 
     tests = select_tests(campaign, kind)
     if not tests:
         return None
-    found = (record for test in tests for record in find_noise_records(test.log))
+    gain = campaign.nominal.get("coriolis_factor")
+    found = (record for test in tests for record in find_noise_records(test.log, gain))
     wanted = [record for record in found if (record.rotation != 0) == turning]
     if not wanted:
         state = "with" if turning else "without"

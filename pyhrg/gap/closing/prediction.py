@@ -3,12 +3,13 @@
 from pathlib import Path
 from typing import Protocol
 
+import numpy as np
 import pandas as pd
 
 from pyhrg import records
 from pyhrg.common.files import write_whole
 from pyhrg.common.progress import Progress, Show
-from pyhrg.common.units import DEG
+from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.device.device import Device
 from pyhrg.gap.closing.closing import read_identified_device
 from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu
@@ -25,6 +26,8 @@ from pyhrg.gap.soundness.mounting import mend_mounting
 from pyhrg.records import Log, LogError
 from pyhrg.records import campaign as campaigns
 from pyhrg.records.campaign import Campaign, Test
+
+COLUMNS = ("time_s", "gyro_angle_deg", "residual_arcsec")
 
 
 class _HoldsDiagnosis(Protocol):
@@ -56,8 +59,9 @@ def predict(
         progress: True prints each step to standard error; a function is called with it.
 
     Returns:
-        n rows, as in the log: `time_s`, `gyro_angle_deg`. `attrs["units"]` has their units.
-        `attrs["notes"]` has a sentence on each input that was filled in, cut or assumed.
+        n rows, as in the log: `time_s`, `gyro_angle_deg`, and `residual_arcsec`, the recorded angle
+        less the predicted one. `attrs["units"]` has their units. `attrs["notes"]` has a sentence on
+        each input that was filled in, cut or assumed.
 
     Raises:
         DiagnosisError: the file is no diagnosis, or that of another gyro.
@@ -84,8 +88,12 @@ def predict(
         answers = replay_sampled(fmu, identified, test.inputs)
     else:
         answers = (simulation or load_simulation(report)).simulate(identified, test)
-    table = pd.DataFrame({"time_s": log.time, "gyro_angle_deg": answers["gyro_angle"] / DEG})
-    table.attrs = {"units": {"time_s": "s", "gyro_angle_deg": "deg"}, "notes": notes}
+    predicted = answers["gyro_angle"]
+    residual = (log.gyro_angle - predicted) / ARCSEC
+    columns = {"gyro_angle_deg": predicted / DEG, "residual_arcsec": residual}
+    table = pd.DataFrame({"time_s": log.time, **columns})
+    units = {"time_s": "s", "gyro_angle_deg": "deg", "residual_arcsec": "arcsec"}
+    table.attrs = {"units": units, "notes": notes}
     return table
 
 
@@ -103,14 +111,24 @@ def _read(diagnosis: _HoldsDiagnosis | Diagnosis | Path | str, device: str) -> D
 
 
 def write_prediction(prediction: pd.DataFrame, path: Path) -> None:
-    """Write a prediction as CSV with the columns `time_s` and `gyro_angle_deg`.
+    """Write a prediction as CSV with its columns.
 
     Raises:
         OSError: the folder can't be written.
     """
-    columns = prediction["time_s"], prediction["gyro_angle_deg"]
-    rows = (f"{time:.15g},{angle:.12g}\n" for time, angle in zip(*columns, strict=True))
-    write_whole(path, ("time_s,gyro_angle_deg\n" + "".join(rows)).encode())
+    columns = (prediction[name] for name in COLUMNS)
+    rows = (f"{time:.15g},{a:.12g},{r:.6g}\n" for time, a, r in zip(*columns, strict=True))
+    write_whole(path, (f"{','.join(COLUMNS)}\n" + "".join(rows)).encode())
+
+
+def describe_prediction(prediction: pd.DataFrame) -> str:
+    """How far the record is from the prediction, in a sentence."""
+    residual = prediction["residual_arcsec"].dropna()
+    rms, largest = float(np.sqrt((residual**2).mean())), float(residual.abs().max())
+    return (
+        f"record less prediction: {rms:.3g} arcsec rms, {largest:.3g} arcsec at most "
+        f"({len(residual)} rows)"
+    )
 
 
 def _repair_inputs(log: Log, nominal: Device, diagnosis: Diagnosis) -> tuple[Log, list[str]]:

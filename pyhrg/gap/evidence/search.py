@@ -15,7 +15,14 @@ from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Design
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.linear_test import Group
-from pyhrg.gap.evidence.evidence import BEYOND_ODDS, EFFECT_ODDS, UNNAMED_ODDS, Fit, fit
+from pyhrg.gap.evidence.evidence import (
+    BEYOND_ODDS,
+    EFFECT_ODDS,
+    EQUIVALENCE_LOG_ODDS,
+    UNNAMED_ODDS,
+    Fit,
+    fit,
+)
 from pyhrg.gap.evidence.extension import Extensions
 
 Key = frozenset[int]
@@ -65,6 +72,18 @@ class Ranking:
     def unknown_probability(self) -> float:
         """Posterior probability that something outside the catalogue takes part."""
         return self.probability(*(g for g in self.groups if is_unnamed(g)))
+
+    def list_near(self) -> list[Fit]:
+        """Sets that are confounded with the most probable one, itself included."""
+        threshold = self.probabilities[0] * math.exp(-EQUIVALENCE_LOG_ODDS)
+        pairs = zip(self.fits, self.probabilities, strict=True)
+        return [fit for fit, probability in pairs if probability > threshold]
+
+    def list_replacements(self, effect: Effect) -> list[str]:
+        """Names of effects that sets confounded with the most probable one have without this
+        effect, and the most probable one has not."""
+        others = [fit for fit in self.list_near() if effect not in fit.groups]
+        return [e.name for fit in others for e in fit.named if e not in self.best.groups]
 
 
 def is_unnamed(group: Group) -> bool:

@@ -12,9 +12,10 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.toml_table import Key
 from pyhrg.gap.effects.catalogue import EFFECTS, Effect
 from pyhrg.gap.evidence.attribution import Attribution
+from pyhrg.gap.evidence.equivalence.hidden_effects import find_hidden_effects
+from pyhrg.gap.evidence.equivalence.known_equivalents import find_known_equivalents
 from pyhrg.gap.evidence.evidence import find_equivalents
 from pyhrg.gap.evidence.hypothesis import sigma_along
-from pyhrg.gap.evidence.known_equivalents import find_known_equivalents
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise
 from pyhrg.gap.evidence.noise.quantization import is_coarsely_quantized
 from pyhrg.gap.evidence.residual_features import ResidualFeature, find_residual_features
@@ -98,6 +99,7 @@ def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[
     best, posterior, nominal = attribution.ranking.best, attribution.posterior, attribution.nominal
     known = posterior.best.exact
     covariances = dict(zip(best.groups, best.covariances, strict=True))
+    hidden = find_hidden_effects(attribution.design, best, effects)
     for effect, size in best.named.items():
         if effect in known.effects:
             continue
@@ -105,6 +107,9 @@ def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[
         others = [e.name for e in find_equivalents(attribution.design, best, effect, effects)]
         others += posterior.equivalents(effect.name)
         others += find_known_equivalents(known, best, nominal, effect, known.effects)
+        others += [h.effect.name for h in hidden if effect in h.shifted]
+        others += attribution.ranking.list_replacements(effect)
+        others = list(dict.fromkeys(others))
         imitators = _list_imitators(effect.name, *others)
         causes.append(
             Cause(

@@ -141,7 +141,7 @@ def compute_separations(
         sides = [
             _Side(
                 _scale_sizes(own, groups, unit),
-                np.array([g in own for g in groups for _ in unit.columns[g]], np.bool_),
+                np.array([g in own and g != h.held for g in groups for _ in unit.columns[g]], bool),
                 h.noise.angle,
                 _information(h.design, groups, unit),
                 _information(design, groups, unit) * share,
@@ -198,7 +198,7 @@ class _Side:
     """A hypothesis as one side of a pair.
 
     sizes: (p,) sizes of all groups, zero where it has none.
-    free: (p,) whether it has the group.
+    free: (p,) whether it has the group, of any size.
     noise: noise of the output angle.
     old: (p, p) Fisher information on all groups in the tests made so far.
     new: (p, p) the same in the future test.
@@ -262,7 +262,8 @@ def _why(order: Sequence[Separation], pairs: Sequence[Pair], hypotheses: Sequenc
 
 
 def _words(hypothesis: Rival, other: Rival) -> str:
-    def own_words(mine: Rival, yours: Rival) -> str:
-        return " with ".join(words for words in mine.words if words not in yours.words)
-
-    return f"{own_words(hypothesis, other)} from {own_words(other, hypothesis)}"
+    first, second = (
+        " with ".join(words for words in mine.words if words not in yours.words)
+        for mine, yours in ((hypothesis, other), (other, hypothesis))
+    )
+    return f"{first or second} from {second if first and second else 'its absence'}"

@@ -1,14 +1,14 @@
 """Hypotheses that survive the tests made so far."""
 
-import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Design, list_forms
 from pyhrg.gap.effects.linear_test import Group
 from pyhrg.gap.evidence.attribution import Attribution
-from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS, Fit, find_equivalents
+from pyhrg.gap.evidence.equivalence.hidden_effects import find_hidden_effects
+from pyhrg.gap.evidence.evidence import Fit, find_equivalents
 from pyhrg.gap.evidence.hypothesis import Hypothesis
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
 
@@ -23,12 +23,14 @@ class Rival:
     noise: noise of all channels.
     noises: names of the noises of the output angle beyond their stated levels.
     design: normal equations of the tests made so far, whitened with the noise.
+    held: effect of the set whose size is not fitted; None where all are.
     """
 
     fit: Fit
     noise: CampaignNoise
     noises: tuple[str, ...]
     design: Design
+    held: Effect | None = None
 
     @property
     def words(self) -> list[str]:
@@ -41,11 +43,11 @@ def find_rivals(attribution: Attribution, effects: Sequence[Effect]) -> list[Riv
     """The most probable hypothesis first, then its rivals.
 
     A rival is about as probable, and has another effect, term or noise in the place of one. A
-    hypothesis that has only one more or one less is no rival.
+    hypothesis that has only one more or one less is no rival, but for effects that the tests can't
+    see beside the set (`find_hidden_effects`).
     """
     best, ranking = attribution.ranking.best, attribution.ranking
-    threshold = ranking.probabilities[0] * math.exp(-EQUIVALENCE_LOG_ODDS)
-    near = [f for f, p in zip(ranking.fits, ranking.probabilities, strict=True) if p > threshold]
+    near = ranking.list_near()
     for group in best.groups:
         candidates: Sequence[Group] = (
             effects if isinstance(group, Effect) else list_forms(attribution.design, group)
@@ -58,11 +60,13 @@ def find_rivals(attribution: Attribution, effects: Sequence[Effect]) -> list[Riv
         if not own <= set(fit.groups) and not set(fit.groups) <= own
     }
     hypothesis = attribution.posterior.best
+    hidden = find_hidden_effects(attribution.design, best, effects)
     swapped = [h for h in attribution.posterior.rivals() if set(h.ranking.best.groups) != own]
     return [
         make_rival(hypothesis, best),
         *[make_rival(h, h.ranking.best) for h in swapped],
         *[make_rival(hypothesis, fit) for fit in others.values()],
+        *[replace(make_rival(hypothesis, h.fit), held=h.effect) for h in hidden],
     ][: MAX_RIVALS + 1]
 
 

@@ -164,6 +164,7 @@ NEAREST = {
     ("bias", "acceleration"): (_FORCE,),
     ("bias", "amplitude"): (_DUFFING,),
     ("bias", "time"): (_CHARGE, _OVER_TEMPERATURE),
+    ("bias", "table_angle"): (_MISALIGNMENT,),
     ("readout", "wave_angle"): (_CUBIC, _PICKOFF_GAIN, _PICKOFF_AXES),
     ("readout", "acceleration"): (_FORCE,),
     ("pickoff", "wave_angle"): (_PICKOFF_GAIN, _PICKOFF_AXES, _OFFSET, _CUBIC),

@@ -52,8 +52,18 @@ REMEDIES = {
     "outliers": "Check the recorder: it writes wrong readings.",
 }
 """What to do about a fault of bench or record."""
-USE_DEVICE = "after.toml and closed.fmu are this gyro: use them from now on."
-USE_TERMS = "closed.fmu is this gyro with its equation, closed.mo its text: use them from now on."
+DEVICE_FILES = "after.toml and closed.fmu are this gyro"
+TERM_FILES = "closed.fmu is this gyro with its equation, closed.mo its text"
+USE = "{}: use them from now on."
+NOT_VERIFIED = (
+    "{}, as these records show it. No other test has verified it: hold one out, then use it."
+)
+CAVEATS = "Do not use after.toml and closed.fmu: see the caveats above."
+CONFOUNDED = (
+    "after.toml and closed.fmu agree with these records, but have one of the confounded causes: "
+    "in another test they may be wrong."
+)
+INCOMPLETE = "after.toml and closed.fmu have the named causes alone, not the whole gap."
 NOT_CLOSER = (
     "On the held-out tests the identified gyro is further from the records than the nominal one. "
     "Do not use closed.fmu: what was found does not hold there."
@@ -200,10 +210,22 @@ def _say_what_next(diagnosis: Diagnosis, kinds: Collection[str]) -> list[str]:
             sentences.append(f"No test of a gyro tells {name} from {others}: look at the bench.")
     sentences += [REMEDIES[c.effect] for c in diagnosis.causes if c.effect in REMEDIES]
     if any(c.effect not in REMEDIES for c in diagnosis.causes) or diagnosis.terms:
-        is_further = (diagnosis.gap.shrink_percent or 0.0) < 0
-        use = USE_TERMS if diagnosis.terms else USE_DEVICE
-        sentences.append(NOT_CLOSER if is_further else use)
+        sentences.append(_say_whether_to_use(diagnosis))
     return sentences or [NOTHING_NEXT[diagnosis.verdict]]
+
+
+def _say_whether_to_use(diagnosis: Diagnosis) -> str:
+    """What the closed files are worth, by the verdict and the verification."""
+    files = TERM_FILES if diagnosis.terms else DEVICE_FILES
+    if (diagnosis.gap.shrink_percent or 0.0) < 0:
+        return NOT_CLOSER
+    if diagnosis.verdict == "ambiguous":
+        return CONFOUNDED
+    if diagnosis.verdict == "unexplained" and not diagnosis.terms:
+        return INCOMPLETE
+    if diagnosis.caveats:
+        return CAVEATS
+    return (NOT_VERIFIED if diagnosis.gap.holdout_angle_arcsec is None else USE).format(files)
 
 
 def _describe_known(known: KnownValue) -> str:

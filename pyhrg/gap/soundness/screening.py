@@ -36,7 +36,7 @@ from pyhrg.gap.soundness.resonator import (
 )
 from pyhrg.records import Log, LogError
 from pyhrg.records.campaign import INDEX, Campaign, CampaignError, Test
-from pyhrg.records.table import fold_absent_columns, merge_sources
+from pyhrg.records.table import fold_absent_columns
 
 REQUIRED_KEYS = ("coriolis_factor", "decay_time_s", "frequency_Hz")
 """Nominal values without which no campaign is diagnosed."""
@@ -141,18 +141,6 @@ def screen_campaign(campaign: Campaign) -> Screening:
         notes.append("no test is held out: a diagnosis can't be verified")
     faults = (*mounting, *sum_log_faults([each.faults for each in screened]))
     return Screening(replace(campaign, tests=tuple(tests)), tuple(notes), faults)
-
-
-def describe_screening(campaign: Campaign) -> str:
-    """What a diagnosis would leave out of a campaign or take for granted, in words."""
-    try:
-        exclusions = screen_campaign(campaign).sentences
-    except CampaignError as error:
-        return f"a diagnosis would refuse it: {error}"
-    if not exclusions:
-        return "a diagnosis would use all of it"
-    sentences = "\n".join(f"  {sentence}" for sentence in merge_sources(exclusions))
-    return f"a diagnosis would leave out, or take for granted:\n{sentences}"
 
 
 def nominal_device(campaign: Campaign) -> Device:

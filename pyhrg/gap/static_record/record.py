@@ -8,14 +8,26 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.common.reading.files import read_unpacked
+from pyhrg.common.robust import estimate_robust_deviation
+from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.gap.static_record.terms import ACCELEROMETER, GYRO, Kind
 from pyhrg.records import Log, read_log
 from pyhrg.records.imu import recorded
-from pyhrg.records.missing_inputs import note_missing_inputs, turns
+from pyhrg.records.missing_inputs import (
+    TURNING_RATE,
+    TURNING_TIME,
+    note_missing_inputs,
+    turns,
+)
 from pyhrg.records.table import ABSENT_COLUMN
 
 MIN_READINGS = 1024
 """Smallest number of readings of a channel; half of them are held out (chosen)."""
+MAX_TURN = 0.1 * DEG
+"""Turn of the table, rad, up to which a log is one of a gyro at rest. Chosen: above what an encoder
+reads at rest."""
+MOTION_SIGMAS = 10.0
+"""Departure of a mean rate from the median, over its noise, above which a gyro turned. Chosen."""
 BENCH_COLUMN = b"gyro_angle_deg"
 HEADER_BYTES = 4096
 """Bytes at the start of a file in which the header of a table is expected."""
@@ -87,7 +99,8 @@ def read_static_record(path: Path, trusted: bool = False) -> StaticRecord:
         for kind, triad in ((GYRO, imu.rotation), (ACCELEROMETER, imu.velocity))
         for axis, values in zip("xyz", triad.T, strict=True)
     ]
-    return StaticRecord(path.name, tuple(channels))
+    notes = [_describe_motion(channel) for channel in channels if channel.kind is GYRO]
+    return StaticRecord(path.name, tuple(channels), tuple(note for note in notes if note))
 
 
 def channel_from_increments(
@@ -120,7 +133,21 @@ def _take_bench_log(log: Log) -> StaticRecord:
     if not (log.has_values("table_angle") or turns(log)):
         notes.append(note_missing_inputs("table_angle"))
         log = replace(log, table_angle=np.zeros(len(log.time)))
-    stretch = max(log.stretches("gyro_angle", "table_angle"), key=lambda s: s.stop - s.start)
+    stretches = log.stretches("gyro_angle", "table_angle")
+    stretch = max(stretches, key=lambda s: s.stop - s.start)
+    if len(stretches) > 1:
+        used = f"{stretch.stop - stretch.start} of {len(log.time)} rows"
+        begin, end = log.time[stretch][[0, -1]]
+        notes.append(
+            f"gaps part it into {len(stretches)} stretches: only the longest is used, "
+            f"{begin:.6g} to {end:.6g} s, {used}"
+        )
+    turn = float(np.ptp(log.table_angle[stretch]))
+    if turn > MAX_TURN:
+        notes.append(
+            f"not at rest: the table turned through {turn / DEG:.4g} deg. Its angle is taken out; "
+            "the gyro's scale-factor error and its bias at other pattern angles are in the figures"
+        )
     angle = (log.gyro_angle - log.table_angle)[stretch]
     temperature = log.temperature[stretch]
     is_known = bool(np.all(np.isfinite(temperature)))
@@ -128,6 +155,21 @@ def _take_bench_log(log: Log) -> StaticRecord:
         *("gyro", GYRO, log.interval, np.diff(angle)), temperature[1:] if is_known else None
     )
     return StaticRecord(log.source, (replace(channel, may_drift=True),), tuple(notes))
+
+
+def _describe_motion(gyro: Channel) -> str:
+    """A sentence where the means of a gyro's rate over `TURNING_TIME` scatter by more than its
+    noise and Earth's rate; empty where they don't."""
+    rows = max(1, round(TURNING_TIME / gyro.interval))
+    means = np.diff(gyro.angle[::rows]) / (rows * gyro.interval)
+    departures = np.abs(means - np.median(means))
+    noise = estimate_robust_deviation(means)
+    if np.max(departures, initial=0.0) < max(TURNING_RATE, MOTION_SIGMAS * noise):
+        return ""
+    return (
+        f"{gyro.name}: not at rest: it turned at up to {np.max(departures) / DEG_PER_H:.3g} deg/h, "
+        "which is in the figures"
+    )
 
 
 def find_quantization_step(values: Array) -> float | None:

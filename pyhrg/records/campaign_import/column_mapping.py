@@ -16,6 +16,8 @@ the row, or as rates sampled at its end."""
 LARGEST_FACTOR = 1e15
 """Largest size of a number in a mapping. Chosen."""
 EXAMPLE_TIME = datetime(2001, 2, 3, 4, 5, 6, tzinfo=UTC)
+NO_TIME = datetime.strptime("", "")
+"""What a text is read as that has no field of a time."""
 
 
 @dataclass(frozen=True)
@@ -106,12 +108,14 @@ def _read_logged_column(entry: TomlTable, place: str, column: Column) -> ColumnM
 def _read_time_format(entry: TomlTable) -> str:
     """The format of a clock, empty where none is stated; one that can't be read back is refused."""
     name = entry.text("format", "")
+    if name in ("", "iso"):
+        return name
     try:
-        if name not in ("", "iso"):
-            datetime.strptime(EXAMPLE_TIME.strftime(name), name)
+        is_read = datetime.strptime(EXAMPLE_TIME.strftime(name), name) != NO_TIME
     except Exception:  # a repeated field is an error of regular expressions, others of values
-        expected = "iso, or fields of datetime.strptime, each once"
-        raise entry.error("format", name, expected) from None
+        is_read = False
+    if not is_read:
+        raise entry.error("format", name, "iso, or fields of datetime.strptime, each once")
     return name
 
 

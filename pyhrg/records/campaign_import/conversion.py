@@ -7,7 +7,8 @@ import numpy as np
 
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError, quote
-from pyhrg.records.campaign_import.column_mapping import ColumnMapping
+from pyhrg.common.units import HOUR
+from pyhrg.records.campaign_import.column_mapping import EXAMPLE_TIME, NO_TIME, ColumnMapping
 from pyhrg.records.campaign_import.layout import Cells
 from pyhrg.records.columns import LogError
 from pyhrg.records.timing import find_even_steps
@@ -71,7 +72,19 @@ def _read_clock(mapping: ColumnMapping, cells: Cells) -> Array:
         seconds = [math.nan if s is None else (s - first).total_seconds() for s in stamps]
     except TypeError as error:
         raise LogError(f"{cells.source}: {mapping.logged}: some times have a time zone") from error
-    return np.array(seconds)
+    return _pass_midnight(np.array(seconds), mapping.time_format)
+
+
+def _pass_midnight(seconds: Array, form: str) -> Array:
+    """(n,) times of a clock without a date, s, that rise through midnight: from row to row by less
+    than half a day."""
+    is_known = np.isfinite(seconds)
+    if (
+        form != "iso"
+        and datetime.strptime(EXAMPLE_TIME.strftime(form), form).date() == NO_TIME.date()
+    ):
+        seconds[is_known] = np.unwrap(seconds[is_known], period=24 * HOUR)
+    return seconds
 
 
 def _parse_time(mapping: ColumnMapping, cells: Cells, index: int, text: str) -> datetime:

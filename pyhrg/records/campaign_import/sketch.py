@@ -1,6 +1,7 @@
 """What a log shows by itself: its layout, its names and units, and the texts of its values."""
 
 import re
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -8,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from pyhrg.common.arrays import Array
+from pyhrg.common.errors import HrgError
 from pyhrg.common.reading.files import decode, read_unpacked
 from pyhrg.records.campaign_import.layout import SEPARATORS
 from pyhrg.records.columns import LogError
@@ -49,7 +51,8 @@ def read_sketch(path: Path) -> Sketch:
     Raises:
         LogError: the file can't be read, or has no header.
     """
-    lines = decode(path.name, read_unpacked(path)).splitlines()
+    encoding, text = _decode(path)
+    lines = text.splitlines()
     first = next((line.strip() for line in lines if line.strip()), "")
     comment = next((mark for mark in COMMENTS if first.startswith(mark)), COMMENTS[0])
     shown = [
@@ -65,12 +68,26 @@ def read_sketch(path: Path) -> Sketch:
         raise LogError(f"{path}: found no row of names above the values, expected one")
     layout = {"separator": f'"{separator}"', "decimal": '"comma"' if comma else '"point"'}
     layout["comment"] = f'"{comment}"'
+    if encoding:
+        layout["encoding"] = f'"{encoding}"'
     if named[0] > 0:
         layout["lines_before_header"] = str(shown[named[0]])
     if len(named) > 1:
         layout["lines_after_header"] = "1"
     units = rows[named[1]] if len(named) > 1 else [""] * len(rows[-1])
     return Sketch(layout, tuple(rows[named[0]]), tuple(units), tuple(map(tuple, rows[head:])))
+
+
+def _decode(path: Path) -> tuple[str, str]:
+    """Encoding of a log's text, empty for UTF-8, and the text: one that is not UTF-8 is taken for
+    the usual one of Windows in western Europe."""
+    data = read_unpacked(path)
+    if data.startswith((BOM_UTF16_LE, BOM_UTF16_BE)):
+        return "utf-16", decode(path.name, data, "utf-16")
+    try:
+        return "", decode(path.name, data)
+    except HrgError:
+        return "cp1252", decode(path.name, data, "cp1252")
 
 
 def _split(line: str, separator: str) -> list[str]:

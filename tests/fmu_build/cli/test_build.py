@@ -65,7 +65,7 @@ def test_what_is_unchanged_is_said_to_be(
     build_fmu()
     assert cli.main(["build", "--out", str(tmp_path / "HRG.fmu")]) == 0
     said = capsys.readouterr()
-    assert said.err == "unchanged, from cache\n"
+    assert said.err == "HRG.fmu: unchanged, from cache\n"
     assert said.out == f"{tmp_path / 'HRG.fmu'}\n"
 
 

@@ -26,7 +26,9 @@ def attributes(item: pymoca.ast.Class) -> dict[str, str]:
 def test_types_are_those_of_the_parser() -> None:
     parsed = defined(UNITS).classes
     read = read_types([str(UNITS)])
-    assert set(read) == {f"HRG.Units.{name}" for name in parsed}
+    assert {name for name in read if name.startswith("HRG.Units.")} == {
+        f"HRG.Units.{name}" for name in parsed
+    }
     for name, item in parsed.items():
         given = attributes(item)
         found = read[f"HRG.Units.{name}"]
@@ -34,6 +36,16 @@ def test_types_are_those_of_the_parser() -> None:
         assert found.quantity == given.get("quantity", "")
         assert found.unit == given["unit"]
         assert found.display_unit == given.get("displayUnit", "")
+
+
+@pytest.mark.parametrize("way", ["Inputs", "Outputs"])
+def test_a_connector_has_the_type_that_it_carries(way: str) -> None:
+    read = read_types([str(UNITS)])
+    carried = {name: t for name, t in read.items() if name.startswith(f"HRG.Interfaces.{way}.")}
+    ports = defined(UNITS.parents[1] / "Interfaces" / way / "package.mo").classes
+    assert {name.rpartition(".")[2] for name in carried} == set(ports)
+    for name, declared in carried.items():
+        assert declared is read[f"HRG.Units.{name.rpartition('.')[2]}"]
 
 
 @pytest.mark.parametrize(

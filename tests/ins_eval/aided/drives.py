@@ -1,19 +1,27 @@
 """A drive of whole-angle gyros with position fixes, as files."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 
+from benchmarks.intervals.calibration import PLAN
 from ins_eval.common.state import displace
+from ins_eval.error_model.error_budget import BODY
 from ins_eval.flights.sources import load_imu_at_rate
-from ins_eval.mission_model.gyro_map import TERMS, measure_gyro_map
+from ins_eval.mission_model.gyro_map import measure_gyro_map
 from ins_eval.study.gyros.true_maps import list_slow_parameters
 from ins_eval.trajectories.catalogue import load_trajectory
 from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.bench.bench import Bench
+from pyhrg.bench.bias.position.full_circumference import make_power_ons
+from pyhrg.bench.calibration.calibration import PERIODS, PROCEDURE, RATE
+from pyhrg.bench.reporting.document import format_document
+from pyhrg.bench.scale_factor.scale_factor import make_turn_power_ons
 from pyhrg.common.arrays import Array
 from pyhrg.fmu import GyroFmu
+from tests.pyhrg.bench.cases import slow_bench
 
 SEED, RATE_HZ, SECONDS = 4, 50, 2400.0
 BEGIN = 90.0
@@ -25,10 +33,12 @@ IMU = "typical-hrg"
 
 @dataclass(frozen=True)
 class DrivenFiles:
-    """log, fixes: files; trajectory: the truth; maps: (3, TERMS) true bias maps, rad/s."""
+    """log, fixes: files; bench: results of the bench of the gyros forward, right, down; trajectory:
+    the truth; maps: (3, 2 TERMS) true maps of bias, rad/s, and of the scale-factor error."""
 
     log: Path
     fixes: Path
+    bench: tuple[Path, ...]
     trajectory: Trajectory
     maps: Array
 
@@ -48,9 +58,21 @@ def drive(folder: Path, slow: GyroFmu) -> DrivenFiles:
     pd.DataFrame(columns).to_csv(log, index=False)
     write_fixes(fixes, trajectory, BEGIN + np.arange(0.5, SECONDS))
     benches = imu.gyros.draw(np.random.default_rng(SEED))
-    parameters = [list_slow_parameters(bench.device) for bench in benches]
-    maps = np.array([measure_gyro_map(slow, each)[:TERMS] for each in parameters])
-    return DrivenFiles(log, fixes, trajectory, maps)
+    devices = [bench.device for bench in benches]
+    maps = np.array([measure_gyro_map(slow, list_slow_parameters(each)) for each in devices])
+    results = tuple(folder / f"{name}.json" for name in BODY)
+    for number, (path, device) in enumerate(zip(results, devices, strict=True)):
+        write_bench_result(path, slow_bench(slow, device, seed=number))
+    return DrivenFiles(log, fixes, results, trajectory, maps)
+
+
+def write_bench_result(path: Path, bench: Bench) -> None:
+    """A short calibration. The mean is left out, because the IMU subtracts it."""
+    turns = make_turn_power_ons(bench, RATE, PERIODS, 1)
+    campaign = bench.campaign(bench.run([*make_power_ons(bench, PLAN, 3, 1), *turns]))
+    outcome = PROCEDURE.evaluate(campaign)
+    findings = tuple(each for each in outcome.findings if each.name != "bias map mean")
+    path.write_text(format_document(PROCEDURE, replace(outcome, findings=findings), {}, {}))
 
 
 def write_fixes(path: Path, trajectory: Trajectory, time: Array) -> None:

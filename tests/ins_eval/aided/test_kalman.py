@@ -80,6 +80,21 @@ def test_smoother_has_the_posterior_of_all_fixes() -> None:
     np.testing.assert_allclose(left, after[:SIZE, :SIZE], atol=1e-8)
 
 
+def test_measurements_before_a_drive_condition_the_states() -> None:
+    """Twice in turn, against the information form of both at once."""
+    generator = np.random.default_rng(5)
+    response, values = generator.normal(size=(4, len(SENSORS))), generator.normal(size=4)
+    variances = generator.uniform(0.1, 2.0, 4)
+    found = SENSORS
+    for rows in (slice(0, 3), slice(3, 4)):
+        found = found.condition(response[rows], values[rows], variances[rows])
+    information = np.linalg.inv(SENSORS.covariance) + response.T / variances @ response
+    np.testing.assert_allclose(found.covariance, np.linalg.inv(information), atol=1e-12)
+    expected = np.linalg.solve(information, response.T / variances @ values)
+    np.testing.assert_allclose(found.mean, expected, atol=1e-12)
+    np.testing.assert_array_equal(Filter(found, np.eye(COUNT), STEP).mean[COUNT:], found.mean)
+
+
 def test_an_improbable_fix_is_left_out() -> None:
     kalman = Filter(SENSORS, np.eye(COUNT), STEP)
     far = Measurement(np.full(3, 100.0), np.eye(3, COUNT), np.ones(3))

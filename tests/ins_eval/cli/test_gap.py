@@ -93,7 +93,9 @@ def test_options_of_a_static_record_are_refused_for_a_campaign(
     assert message in refused(capsys)
 
 
-def test_the_closed_simulation_answers_to_a_log(folder: Path, tmp_path: Path) -> None:
+def test_the_closed_simulation_answers_to_a_log(
+    folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     edit(folder, lambda index: index["nominal"].update(colour=3.0))
     device = campaign.read_campaign(folder).device
     for name, causes in (("d", (Cause("loop_delay", 1.0, {"loop_delay_s": 0.01}),)), ("none", ())):
@@ -105,8 +107,12 @@ def test_the_closed_simulation_answers_to_a_log(folder: Path, tmp_path: Path) ->
         given = [str(tmp_path / name / "diagnosis.json"), str(folder / "ride.csv.gz")]
         out = tmp_path / f"{name}.csv"
         assert main(["gap", "predict", *given, "--campaign", str(folder), "--out", str(out)]) == 0
-        assert out.read_text().startswith("time_s,gyro_angle_deg\n")
-        time, answers[name] = np.loadtxt(out, delimiter=",", skiprows=1).T
+        assert out.read_text().startswith("time_s,gyro_angle_deg,residual_arcsec\n")
+        time, answers[name], residual = np.loadtxt(out, delimiter=",", skiprows=1).T
+        recorded = log.gyro_angle / ARCSEC
+        np.testing.assert_allclose(recorded - answers[name] * DEG / ARCSEC, residual, atol=1e-3)
+        rms = np.sqrt(np.mean(residual**2))
+        assert f"record less prediction: {rms:.3g} arcsec rms" in capsys.readouterr().out
         np.testing.assert_allclose(time, log.time)
     left = answers["none"] * DEG - log.gyro_angle
     assert np.abs(left).max() < 3 * ARCSEC

@@ -1,7 +1,6 @@
 """`hrg campaign import`, as documented."""
 
 import re
-import tomllib
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,7 +13,6 @@ from pyhrg.common.cli import main
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG
 from pyhrg.records import LogError, campaign
-from pyhrg.records.campaign_import import draft_mapping
 
 PAGE = Path(__file__).parents[3] / "docs" / "import.md"
 
@@ -26,11 +24,15 @@ def block(kind: str) -> str:
     return found[1]
 
 
+def write_example(folder: Path) -> Path:
+    (folder / "table.csv").write_text(block("csv"))
+    (folder / "mapping.toml").write_text(block("toml"))
+    return folder / "mapping.toml"
+
+
 @pytest.fixture
 def mapping(tmp_path: Path) -> Path:
-    (tmp_path / "table.csv").write_text(block("csv"))
-    (tmp_path / "mapping.toml").write_text(block("toml"))
-    return tmp_path / "mapping.toml"
+    return write_example(tmp_path)
 
 
 def run(*arguments: str | Path) -> int:
@@ -98,6 +100,16 @@ def test_what_a_diagnosis_would_refuse_is_said(
     assert "\na diagnosis would refuse it: 1 of 1 logs, as table.csv: columns gyro" in said
 
 
+def test_noise_that_nothing_tells_is_said(
+    mapping: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    mapping.write_text(re.sub(r"angle_random_walk.*", "", mapping.read_text()))
+    assert run(mapping, "--check") == 0
+    said = capsys.readouterr().out
+    assert "\na diagnosis would refuse it: campaign.json: nominal: states no noise of the" in said
+    assert "Not at rest: 3 on a table that turns at 0.0057 deg/s or faster, 1 in stretch" in said
+
+
 def test_a_log_with_the_gyros_columns_alone_is_imported_and_benched(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -137,79 +149,10 @@ wave_angle = { column = "pattern", unit = "deg" }
     capsys.readouterr()
     bench = ["bench", "fixed-position", "--campaign", tmp_path / "turned", "--out", tmp_path / "b"]
     assert main([*map(str, bench)]) == 0
-    assert (
-        "warning: a diagnosis would refuse these records: campaign.json: nominal.c"
-        in capsys.readouterr().err
-    )
-
-
-def fill_in(draft: Path) -> None:
-    """Give what only the laboratory knows."""
-    draft.write_text(draft.read_text().replace('latitude_deg = "edit"', "latitude_deg = 45.0"))
-
-
-def test_a_draft_of_guesses_is_accepted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    t = np.arange(1, 300)
-    columns = {"t [s]": t, "Omega_deg": 0.003 * t, "Theta (mrad)": -4.83 * 0.003 * t, "T": 21}
-    frame = pd.DataFrame({**columns, "remark": "x"})
-    rates = frame.rename(columns={"Omega_deg": "gyro_rate_deg_s"}).assign(gyro_rate_deg_s=0.003)
-    for name, part in (("still", frame), ("rate_1", rates)):
-        part.to_csv(tmp_path / f"{name}.csv", sep=";", decimal=",", index=False)
-    out = tmp_path / "draft" / "mapping.toml"
-    out.parent.mkdir()
-    logs = [str(tmp_path / name) for name in ("still.csv", "rate_1.csv")]
-    assert main(["campaign", "init", *logs, "--out", str(out)]) == 0
-    assert f"hrg campaign import {out} --check" in capsys.readouterr().out
-    draft = tomllib.loads(out.read_text())
-    _, rate = draft["tests"]
-    assert draft["layout"] == {"separator": "semicolon", "decimal": "comma", "comment": "#"}
-    assert draft["columns"]["wave_angle"] == {"column": "Theta (mrad)", "unit": "mrad"}
-    assert draft["columns"]["temperature"] == {"column": "T", "unit": "degC"}
-    assert (rate["kind"], rate["columns"]["gyro_angle"]["integrate"]) == ("rate", "means")
-    assert "# not used: remark" in out.read_text()
-    assert run(out, "--check") == 2
-    assert "site.latitude_deg: found 'edit', expected a number" in capsys.readouterr().err
-    fill_in(out)
-    assert run(out, "--check") == 0
-    assert main(["campaign", "init", *logs, "--out", str(out)]) == 2
-    assert "found a file, expected none" in capsys.readouterr().err
-
-
-def test_a_draft_of_another_laboratorys_logs_needs_no_edit(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """Names, units, marks and file names of a laboratory; a clock that runs, an encoder that jumps
-    by a turn, volts, the loop's frequency itself; one log lacks most columns."""
-    t = np.arange(1, 200)
-    turned = 5 * (t + 0.003 * t)
-    frame = pd.DataFrame({"t_ms": 51_000 + 1000 * t, "enc_deg": (300 + 5 * t) % 360, "T_C": 25})
-    frame["out_arcsec"], frame["theta_mrad"] = 3600 * turned, -0.277 * np.radians(turned) * 1e3
-    frame["amp_V"], frame["Fa_1/h"], frame["f_Hz"] = 1.25, 8.0, 7000.1
-    for name, part in (("rate+5 1", frame), ("rate-5", frame), ("rate+5.2", frame.iloc[:, [0, 3]])):
-        text = "% turntable 3\nsecond line\n" + part.to_csv(sep=";", index=False)
-        (tmp_path / f"{name}.csv").write_text(text)
-    out = tmp_path / "mapping.toml"
-    assert (
-        main(["campaign", "init", *map(str, sorted(tmp_path.glob("*.csv"))), "--out", str(out)])
-        == 0
-    )
-    draft = tomllib.loads(out.read_text())
-    assert [test["id"] for test in draft["tests"]] == ["rate_5_1", "rate_5_2", "rate-5"]
-    assert "absent" in draft["tests"][1]
-    assert "not used" not in out.read_text().partition("[layout]")[2]
-    fill_in(out)
-    imported = import_campaign(out).campaign
-    whole, short = (test.log for test in imported.tests[:2])
-    assert whole.time[0] == 1.0
-    assert whole.table_angle / DEG == pytest.approx(5 * (t - 1))
-    earth = imported.site.compute_earth_rate(1.0) / DEG
-    assert whole.gyro_angle / DEG == pytest.approx(turned - turned[0] + earth)
-    assert whole.wave_angle == pytest.approx(-0.277 * np.radians(turned))
-    assert whole.temperature[0] == 298.15
-    assert whole.amplitude[0] == 1.0
-    assert whole.amplitude_force[0] == pytest.approx(8 / 3600)
-    assert whole.frequency_offset[0] == pytest.approx(0.1 * 2 * np.pi)
-    assert not short.has_values("table_angle")
+    said = "a diagnosis would refuse these records: campaign.json: nominal.c"
+    assert f"Record: static.csv.gz: {said}" in capsys.readouterr().out
+    assert said in (tmp_path / "b" / "report.html").read_text()
+    assert said in (tmp_path / "b" / "fixed-position" / "result.json").read_text()
 
 
 @pytest.mark.parametrize("gyro", ["", ", from_zero = true"])
@@ -243,43 +186,6 @@ file = "table.csv"
     if gyro:
         earth = EARTH_RATE * np.sin(39.9 * DEG)
         assert log.gyro_angle[0] - log.table_angle[0] == pytest.approx(0.5 * earth)
-
-
-def test_the_documented_example_is_drafted(mapping: Path) -> None:
-    """A clock's times, a row of units below the names, a decimal comma."""
-    out = mapping.parent / "draft.toml"
-    assert main(["campaign", "init", str(mapping.parent / "table.csv"), "--out", str(out)]) == 0
-    fill_in(out)
-    drafted, stated = (import_campaign(path).campaign.tests[0].log for path in (out, mapping))
-    for field in ("time", "temperature", "gyro_angle", "wave_angle", "axis_up", "drive_on"):
-        np.testing.assert_array_equal(getattr(drafted, field), getattr(stated, field), field)
-    assert drafted.table_angle == pytest.approx(stated.table_angle)
-
-
-def test_a_kind_is_guessed_by_the_table_and_times_by_their_evenness(tmp_path: Path) -> None:
-    seconds = np.arange(1.0, 401.0)
-    turned = {"rest": 0 * seconds, "eins": 5.0 * seconds, "zwei": 20.0 * (seconds // 50)}
-    for name, angle in turned.items():
-        frame = pd.DataFrame({"n [s]": seconds, "Musterwinkel [deg]": -0.277 * angle})
-        frame["Drehtisch [deg]"], frame["Winkel [deg]"] = angle % 360, angle
-        frame.to_csv(tmp_path / f"{name}.csv", index=False)
-    (tmp_path / "untimed.csv").write_text("gyro\n1\n2\n")
-    logs = [tmp_path / f"{name}.csv" for name in (*turned, "untimed")]
-    draft = tomllib.loads(draft_mapping(logs, tmp_path))
-    assert [test["kind"] for test in draft["tests"]] == ["static", "rate", "positions", "static"]
-    assert draft["columns"]["time"] == {"column": "n [s]", "unit": "s"}
-    assert draft["columns"]["wave_angle"]["column"] == "Musterwinkel [deg]"
-    assert [test.get("interval_s") for test in draft["tests"]] == [None, None, None, "edit"]
-
-
-def test_a_log_without_a_header_is_not_drafted(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    (tmp_path / "log.csv").write_text("1,2\n3,4\n")
-    out = tmp_path / "mapping.toml"
-    assert main(["campaign", "init", str(tmp_path / "log.csv"), "--out", str(out)]) == 2
-    assert "found no row of names above the values" in capsys.readouterr().err
-    assert not out.exists()
 
 
 def test_a_table_that_turned_is_not_taken_to_rest(recorded_campaign: Path) -> None:

@@ -105,7 +105,7 @@ def test_a_damaged_fmu_is_built_anew(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert said[0].startswith("translating")
     said.clear()
     build_fmu(progress=said.append)
-    assert said == ["unchanged, from cache"]
+    assert said == ["HRG.fmu: unchanged, from cache"]
 
 
 def test_a_damaged_library_of_an_extracted_fmu_is_extracted_anew(tmp_path: Path) -> None:

@@ -17,6 +17,7 @@ from pyhrg.witness.information import (
     accumulate_information,
     compute_maps_response,
     compute_posterior,
+    factor_covariance,
 )
 from pyhrg.witness.mechanisms import COUNT, find
 from pyhrg.witness.responses import Responses
@@ -128,3 +129,8 @@ def test_information_grows_with_time(responses: Responses) -> None:
     whole = accumulate_information(responses, motion)
     half = accumulate_information(responses, motion.take(slice(0, len(motion.angle) // 2)))
     assert np.trace(half) == pytest.approx(np.trace(whole) / 2, rel=0.05)
+
+
+def test_root_of_a_covariance_takes_rounding_for_zero() -> None:
+    root = factor_covariance(np.diag([4.0, -1e-17, 0.0]))
+    np.testing.assert_allclose(root @ root.T, np.diag([4.0, 0.0, 0.0]))

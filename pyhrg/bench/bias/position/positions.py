@@ -104,10 +104,10 @@ def select_visible(
                 f"({len(columns)} terms and 2 to show the scatter)"
             )
         elif worst > LARGEST_INFLATION:
-            factor = f"{worst:.3g} times" if math.isfinite(worst) else "infinitely"
+            factor = f"{worst:.4g} times" if math.isfinite(worst) else "infinitely"
             refused.append(
-                f"the positions can't separate {name} from the other terms: "
-                f"variance inflated {factor}, at most {LARGEST_INFLATION:g} is accepted"
+                f"{name} is not fitted: at these positions it looks like the other terms, whose "
+                f"variance would grow {factor} ({LARGEST_INFLATION:g} times is accepted)"
             )
         elif term is None:
             with_tilt = True

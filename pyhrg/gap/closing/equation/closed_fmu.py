@@ -30,15 +30,9 @@ class ClosedFmu(GyroFmu):
             for c in list_written(term)
         }
 
-    @property
-    def is_sampled(self) -> bool:
-        """The inner gyro is `HRG`."""
-        return True
-
     def power_on(self, parameters: Mapping[str, float], seed: int, start_angle: float) -> Gyro:
         """Start the gyro within the class, with parameters by the names of `HRG`, SI."""
-        own = {f"gyro.{n}" if "." in n else n: v for n, v in parameters.items()}
-        return super().power_on({**self._sizes, **own}, seed, start_angle)
+        return super().power_on({**self._sizes, **parameters}, seed, start_angle)
 
 
 def build_closed_fmu(text: str) -> Path:

@@ -73,13 +73,13 @@ BY_CHANNEL = {
 
 
 def find_acting(term: CandidateTerm) -> Acting:
-    """How a term acts: by the word before its function, or by its channel. What follows the
-    turntable belongs to the bench; damping that follows the amplitude also acts while the drive is
-    off."""
+    """How a term acts: by the word before its function, or by its channel. An error of the angle
+    that follows the turntable belongs to the bench; damping that follows the amplitude also acts
+    while the drive is off."""
     prefix, colon, _ = term.function.partition(": ")
     acting = BY_PREFIX[prefix] if colon else BY_CHANNEL[term.channel]
     if acting is DAMPING and term.coordinate == "amplitude":
         return replace(acting, responses=(*acting.responses, ("freeDamping", "")))
-    if term.channel == "gyro_angle" and term.coordinate == "table_angle":
+    if acting is READOUT and term.coordinate == "table_angle":
         return replace(acting, place="bench")
     return acting

@@ -1,8 +1,8 @@
 """Noise of the output angle where none is stated: estimated from the records at rest."""
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import groupby
 
 import numpy as np
 from scipy.optimize import minimize
@@ -10,9 +10,8 @@ from scipy.optimize import minimize
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_SQRT_H
 from pyhrg.device.device import Device
-from pyhrg.gap.evidence.residuals import is_nominal
-from pyhrg.gap.replay.observations import COMMAND_COLUMNS, ObservedTest
-from pyhrg.gap.replay.reading_noise import REST_RATE
+from pyhrg.gap.evidence.noise.rest_stretches import RestStretches, find_rest_stretches
+from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.gap.whitening.channel_noise import MIN_ANGLE_NOISE
 from pyhrg.gap.whitening.whitening import NoiseModel, whiten
@@ -22,17 +21,19 @@ Stretch = tuple[Array, Array]
 """Consecutive rows at rest: (n, 2 + DRIFT_DEGREE) residual of the angle, rad, and powers of time of
 a drift; (n,) time since the reading before, s."""
 
-MIN_STRETCH_ROWS, MIN_ROWS = 60, 600
-"""Rows that a stretch at rest must have, and all stretches together. Chosen."""
-DRIFT_DEGREE = 2
-"""Degree of the polynomial that is removed from each stretch: a gap may make any drift. Chosen."""
+MIN_ROWS = 600
+"""Rows that all stretches must have together. Chosen."""
+DRIFT_DEGREE = 4
+"""Degree of the polynomial in time that is removed from each stretch: a gap and the room's
+temperature make any drift. Chosen."""
 NOTE = (
     "nominal: states no noise of the output angle: {:.3g} arcsec of white noise and "
     "{:.3g} deg/sqrt(h) of angle random walk are taken from the records at rest"
 )
 NO_NOISE = (
     f"{INDEX}: nominal: states no noise of the output angle, and logs have {{}} rows at rest; "
-    f"expected angle_random_walk_deg_sqrt_h or angle_white_noise_arcsec, or {MIN_ROWS} rows at rest"
+    "expected angle_random_walk_deg_sqrt_h or angle_white_noise_arcsec, or "
+    f"{MIN_ROWS} rows at rest. Not at rest: {{}}"
 )
 
 
@@ -43,9 +44,24 @@ def complete_stated_noise(
     `CampaignError` where no noise is stated, and too few rows are at rest.
 
     White noise and angle random walk are the maximum-likelihood estimates over all stretches at
-    rest: without rotation, at one temperature, under constant commands and at nominal amplitude.
-    The simulation is subtracted, and a polynomial drift of each stretch is integrated out.
+    rest (`find_rest_stretches`). The simulation is subtracted, and a polynomial drift of each
+    stretch is integrated out.
     """
+    stretches = [
+        stretch
+        for test, rest in zip(tests, require_noise(nominal, tests), strict=False)
+        for stretch in _read_stretches(simulation, nominal, test, rest)
+    ]
+    if not stretches:
+        return nominal, ()
+    white, walk = _estimate_noise(stretches)
+    note = NOTE.format(white / ARCSEC, walk / DEG_PER_SQRT_H)
+    return replace(nominal, angle_white_noise=white, angle_random_walk=walk), (note,)
+
+
+def require_noise(nominal: Device, tests: Sequence[ObservedTest]) -> list[RestStretches]:
+    """Rows at rest of each test, to estimate the noise of the output angle from; none where it is
+    stated. A `CampaignError` where it is not, and too few rows are at rest."""
     stated = (
         nominal.angle_white_noise,
         nominal.angle_random_walk,
@@ -54,14 +70,14 @@ def complete_stated_noise(
         nominal.quantization_step,
     )
     if any(stated):
-        return nominal, ()
-    stretches = [s for test in tests for s in _find_stretches(simulation, nominal, test)]
-    rows = sum(len(steps) for _, steps in stretches)
+        return []
+    rests = [find_rest_stretches(nominal, test) for test in tests]
+    rows = sum(len(stretch) for rest in rests for stretch in rest.stretches)
     if rows < MIN_ROWS:
-        raise CampaignError(NO_NOISE.format(rows))
-    white, walk = _estimate_noise(stretches)
-    note = NOTE.format(white / ARCSEC, walk / DEG_PER_SQRT_H)
-    return replace(nominal, angle_white_noise=white, angle_random_walk=walk), (note,)
+        refused = sum((rest.refused for rest in rests), Counter[str]())
+        reasons = ", ".join(f"{count} {reason}" for reason, count in refused.most_common())
+        raise CampaignError(NO_NOISE.format(rows, reasons))
+    return rests
 
 
 def _log_likelihood(stretch: Stretch, noise: NoiseModel) -> float:
@@ -73,24 +89,17 @@ def _log_likelihood(stretch: Stretch, noise: NoiseModel) -> float:
     return -(float(residual @ residual) + white.log_determinant + drift) / 2
 
 
-def _find_stretches(
-    simulation: Simulation, nominal: Device, test: ObservedTest
+def _read_stretches(
+    simulation: Simulation, nominal: Device, test: ObservedTest, rest: RestStretches
 ) -> Iterator[Stretch]:
-    log, rates = test.log, np.abs(test.inputs.table.rates)
-    is_rest = test.rows["gyro_angle"] & is_nominal(log, nominal)
-    is_rest &= (np.maximum(rates[1:], rates[:-1]) < REST_RATE) & (log.virtual_rotation == 0)
-    if not is_rest.any() or np.ptp(test.inputs.temperatures) > 0:
+    if not rest.stretches:
         return
+    log = test.log
     residual = log.gyro_angle - simulation.simulate(nominal, test)["gyro_angle"]
-    commands = np.column_stack([getattr(log, name) for name in COMMAND_COLUMNS])
-    for (is_stretch, *_), group in groupby(
-        range(len(is_rest)), key=lambda i: (bool(is_rest[i]), *commands[i].tolist())
-    ):
-        rows = list(group)
-        if is_stretch and len(rows) >= MIN_STRETCH_ROWS:
-            time = np.linspace(-1.0, 1.0, len(rows))
-            series = np.column_stack([residual[rows], np.vander(time, DRIFT_DEGREE + 1)])
-            yield series, np.diff(log.time[rows], prepend=log.time[rows[0]] - log.interval)
+    for rows in rest.stretches:
+        time = np.linspace(-1.0, 1.0, len(rows))
+        series = np.column_stack([residual[rows], np.vander(time, DRIFT_DEGREE + 1)])
+        yield series, np.diff(log.time[rows], prepend=log.time[rows[0]] - log.interval)
 
 
 def _estimate_noise(stretches: Sequence[Stretch]) -> tuple[float, float]:

@@ -123,3 +123,19 @@ def test_recorded_campaign(recorded_campaign: Path) -> None:
     figure = Figure(figsize=(8, 5))
     outcome.draw(figure)
     assert len(figure.axes[0].lines) > 4
+
+
+def test_pattern_angles_follow_from_the_output_where_they_are_not_logged(
+    slow_fmu: GyroFmu,
+) -> None:
+    bench = slow_bench(slow_fmu, TYPICAL)
+    given = bench.campaign(bench.run(random_walk.plan_power_ons(bench, 3000.0)))
+    tests = [
+        replace(t, recording=replace(t.log, wave_angle=np.full(len(t.log.time), np.nan)))
+        for t in given.tests
+    ]
+    whole, lacking = (random_walk.evaluate(c) for c in (given, replace(given, tests=tuple(tests))))
+    assert lacking.warnings == whole.warnings
+    for name in ("angle random walk", "angle random walk under virtual rotation"):
+        expected = whole.finding(name)
+        assert lacking.finding(name).si_value == pytest.approx(expected.si_value, rel=1e-3)

@@ -148,6 +148,24 @@ def test_what_a_rival_can_imitate_by_other_sizes_counts_for_nothing(
     assert suggest_next_test(simulation, found, nested) is None
 
 
+def test_a_hidden_effect_is_a_rival_that_a_test_separates(
+    simulation: Simulation, static: Static
+) -> None:
+    """Drives that differ are fitted alone where a damping anisotropy fits as well beside them."""
+    effects = [EFFECTS[name] for name in ("drive_gain_mismatch", "damping_anisotropy")]
+    found = static(TRUTH, *(effect.name for effect in effects))
+    best, *others = find_rivals(found, effects)
+    hidden = [rival for rival in others if rival.held]
+    assert [set(rival.fit.groups) for rival in hidden] == [set(effects)]
+    (cause,) = best.fit.groups
+    assert hidden[0].held in effects
+    assert hidden[0].held != cause
+    said = suggest_next_test(simulation, found, [best, *hidden])
+    assert said is not None
+    assert said.kind in ("ring_down", "virtual_rotation", "amplitude")
+    assert f"{hidden[0].held.name} from its absence" in said.why
+
+
 def test_a_test_that_separates_all_comes_before_one_that_separates_some_better() -> None:
     some = Separation("static", {(0, 1): 100.0, (0, 2): 0.5, (1, 2): 100.0})
     all_three = Separation("tumble", {(0, 1): 3.0, (0, 2): 4.0, (1, 2): 5.0})

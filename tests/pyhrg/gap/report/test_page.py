@@ -19,7 +19,6 @@ from pyhrg.gap.report.terms import build_terms
 from pyhrg.gap.report.verdict import (
     IMMATERIAL_CAUSE,
     REMEDIES,
-    USE_DEVICE,
     answer_questions,
     summarize_diagnosis,
     write_headline,
@@ -100,7 +99,7 @@ def test_faults_of_bench_and_record_are_told_with_what_to_do(
         "Within its tolerance: outliers: 0.1 %, not 0.",
     ]
     assert answers["What next"][:2] == [REMEDIES["mounting_sign"], REMEDIES["lost_rows"]]
-    assert USE_DEVICE not in answers["What next"]
+    assert not any("use them" in sentence for sentence in answers["What next"])
     assert "after.toml where it has them" in build_page(replace(without_gap, diagnosis=diagnosis))
 
 
@@ -169,6 +168,27 @@ def test_an_immaterial_cause_without_a_name_stands_in_the_headline(
     for probability, verdict in cases:
         said = replace(diagnosis, unknown_probability=probability, verdict=verdict)
         assert IMMATERIAL_CAUSE not in write_headline(said)
+
+
+@pytest.mark.parametrize(
+    ("verdict", "settled", "is_held_out", "said"),
+    [
+        ("explained", True, True, "are this gyro: use them from now on."),
+        ("explained", True, False, "verified it: hold one out, then use it."),
+        ("explained", False, True, "see the caveats above."),
+        ("ambiguous", True, True, "in another test they may be wrong."),
+        ("unexplained", True, True, "the named causes alone, not the whole gap."),
+    ],
+)
+def test_the_closed_files_are_recommended_as_the_verdict_allows(
+    with_gap: CampaignDiagnosis, verdict: Verdict, settled: bool, is_held_out: bool, said: str
+) -> None:
+    gap = with_gap.diagnosis.gap
+    if not is_held_out:
+        gap = replace(gap, holdout_angle_arcsec=None, shrink_percent=None)
+    diagnosis = replace(with_gap.diagnosis, verdict=verdict, settled=settled, gap=gap)
+    answers = answer_questions(replace(with_gap, diagnosis=diagnosis))
+    assert answers["What next"][-1].endswith(said)
 
 
 def test_a_search_that_did_not_come_to_rest_is_told(with_gap: CampaignDiagnosis, text: str) -> None:

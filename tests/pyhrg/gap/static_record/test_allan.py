@@ -51,6 +51,38 @@ def test_what_was_put_in_comes_out(log: Path) -> None:
     assert noise.notes == ("table_angle_deg: missing, taken as on a gyro at rest",)
 
 
+def test_gaps_and_turns_of_the_table_are_said(log: Path) -> None:
+    frame = pd.read_csv(log)
+    turned = np.clip(frame["time_s"] - 500, 0, 10)
+    frame["table_angle_deg"] = turned
+    frame["gyro_angle_deg"] += turned
+    frame.drop(index=range(1000, 1100)).to_csv(log, index=False)
+    noise = compute_allan(log)
+    gap, turn = noise.notes[-2:]
+    assert gap.startswith(
+        "gaps part it into 2 stretches: only the longest is used, 110.1 to 819.2 s"
+    )
+    assert turn.startswith("not at rest: the table turned through 10 deg. Its angle is taken out;")
+    assert noise.channels[0].bias.low < SITE_RATE < noise.channels[0].bias.high
+
+
+def test_an_imu_that_moved_is_said(tmp_path: Path) -> None:
+    n = 4096
+    readings = np.random.default_rng(3).normal(0, 1e-4, (n, 6))
+    readings[:, 5] -= 9.8
+    readings[:, 1] += 4e-5
+    readings[2000:2200, 2] += 0.02
+    names = [
+        "time_s",
+        *(f"gyro_{a}_rad_s" for a in "xyz"),
+        *(f"accelerometer_{a}_m_s2" for a in "xyz"),
+    ]
+    frame = pd.DataFrame(np.column_stack([0.1 * np.arange(1, n + 1), readings]), columns=names)
+    frame.to_csv(tmp_path / "imu.csv", index=False)
+    notes = compute_allan(tmp_path / "imu.csv", trusted=True).notes
+    assert [note.split(": ")[:2] for note in notes] == [["gyro_z", "not at rest"]]
+
+
 def test_a_rate_ramp_is_found_and_drawn(log: Path) -> None:
     """A bias that drifts is in the coefficients, and the drawn line follows the points."""
     ramp = 30 * DEG_PER_H / HOUR

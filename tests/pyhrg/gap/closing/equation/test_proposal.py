@@ -69,6 +69,8 @@ def test_a_form_that_explains_less_is_no_rival() -> None:
          ["readout_cos2_arcsec", "readout_sin2_arcsec"]),
         ("gyro_angle", "table_angle", "angle: harmonic 1 of the table angle", "bench",
          ["readout_cos1_table_arcsec", "readout_sin1_table_arcsec"]),
+        ("gyro_angle", "table_angle", "bias: harmonic 2 of the table angle", "bias",
+         ["bias_cos2_table_deg_h", "bias_sin2_table_deg_h"]),
         ("gyro_angle", "rate", "bias: rate cubed", "bias", ["bias_rate3_deg_h_per_deg3_s3"]),
         ("amplitude_force", "amplitude", "amplitude squared", "damping",
          ["damping_amplitude2_per_s"]),

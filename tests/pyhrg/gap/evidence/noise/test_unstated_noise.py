@@ -62,7 +62,29 @@ def test_what_is_stated_stays(simulation: Simulation) -> None:
     )
 
 
-def test_with_few_rows_at_rest_it_must_be_stated(simulation: Simulation) -> None:
-    tests = [recorded(simulation, "rate", 1, 700.0), recorded(simulation, "static", 1, 300.0)]
-    with pytest.raises(CampaignError, match=r"have 300 rows at rest; expected angle_random_walk"):
+def warmed(test: ObservedTest, change: float) -> ObservedTest:
+    """The test with a room that warms up and cools down again, K."""
+    swing = change * np.sin(np.linspace(0.0, np.pi, len(test.log.time)))
+    log = replace(test.log, temperature=test.log.temperature + swing)
+    return observe_test(replace(test.test, recording=log), BELIEVED)
+
+
+def test_it_is_estimated_in_a_room_whose_temperature_moves(simulation: Simulation) -> None:
+    """A thermometer that moved by 0.3 K made no row count as at rest."""
+    tests = [warmed(recorded(simulation, "static", seed), 0.3) for seed in range(4)]
+    gyro, _ = complete_stated_noise(simulation, BELIEVED, tests)
+    assert gyro.angle_white_noise == pytest.approx(WHITE, rel=0.1)
+    assert gyro.angle_random_walk == pytest.approx(WALK, rel=0.1)
+
+
+def test_a_refusal_counts_the_rows_by_limit(simulation: Simulation) -> None:
+    tests = [
+        recorded(simulation, "rate", 1, 700.0),
+        recorded(simulation, "static", 1, 300.0),
+        warmed(recorded(simulation, "static", 1), 12.0),
+    ]
+    with pytest.raises(CampaignError) as refusal:
         complete_stated_noise(simulation, BELIEVED, tests)
+    assert "have 300 rows at rest; expected angle_random_walk" in str(refusal.value)
+    assert "3600 while the temperature changed by more than 3 K" in str(refusal.value)
+    assert "700 on a table that turns at 0.0057 deg/s or faster" in str(refusal.value)

@@ -6,8 +6,8 @@ import pytest
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import EFFECTS, Effect
 from pyhrg.gap.effects.known_parameters import KnownParameters
+from pyhrg.gap.evidence.equivalence.known_equivalents import find_known_equivalents
 from pyhrg.gap.evidence.evidence import fit
-from pyhrg.gap.evidence.known_equivalents import find_known_equivalents
 from tests.pyhrg.gap.made_up import design_of
 
 ROTATION, DELAY = EFFECTS["drive_frame_rotation"], EFFECTS["loop_delay"]

@@ -19,7 +19,7 @@ model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-ste
     ringErrors = ring.errors,
     displacement = resonator.orbit.displacement,
     force = controller.force,
-    temperature = warmth,
+    temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
     gradient = resonator.environment.gradient,
     age = resonator.environment.age,
@@ -64,12 +64,7 @@ model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-ste
     driveGain = drive.gain,
     pumpGain = drive.pumpGain,
     authority = drive.authority) "Control electronics";
-protected
-  Units.TemperatureDifference warmth(start = resonator.environment.startTemperature, fixed = true)
-    "Resonator above the reference temperature, not sampled";
 equation
-  der(warmth) = (caseTemperature - resonator.environment.referenceTemperature + resonator.environment.selfHeating - warmth)
-    /resonator.environment.thermalLag;
   gyroAngle = controller.gyroAngle;
   gyroRate = controller.gyroRate;
   patternAngle = controller.patternAngle;
@@ -93,8 +88,6 @@ phi' + nu = (a Im h_a - q Re h_n)/(a^2 - q^2)</pre>
 at rest, so that only the pattern moves, and a step may last a second. The state is the orbit, in which rotation is a
 straight line. Noise of pick-offs is that of one control period, read once per output. Outputs change once in a sample period:
 communication steps are best whole multiples of it, and results then don't depend on them.</p>
-<p>The pick-offs see a temperature without steps. After each step of their gains the loops would push hardest just when forces are read:
-17 % more than it takes in the mean to hold the amplitude.</p>
 <p>The loops of <code>HRGEnvelope</code> follow a turning pattern with a lag that is not in here. It matters where the split is large:
 while the case turns at W the output loses (W/2)(dw/w)^2 (1 + cos 8(theta - theta_w)) of rate, w the natural frequency of the quadrature loop:
 1.4e-7 of W at 0.5 mHz, 2.2e-6 at 2 mHz (<code>HRG.Validation.Stiffness.SplitLag</code>).</p>

@@ -19,7 +19,7 @@ from pyhrg.gap.replay.observations import (
     compute_settling_time,
     observe_test,
 )
-from pyhrg.gap.replay.replay import estimate_start_angle, replay_inputs
+from pyhrg.gap.replay.replay import estimate_start_angle
 from pyhrg.gap.replay.simulation import Simulation, replay_sampled
 from pyhrg.gap.whitening.channel_noise import REPLAY_RESOLUTION
 from pyhrg.records.campaign import Test
@@ -139,24 +139,6 @@ def test_warming(simulation: Simulation, loop: float) -> None:
     )
 
 
-def test_forces_hold_an_amplitude_whose_gain_follows_the_temperature(
-    simulation: Simulation,
-) -> None:
-    """Quasi-steady forces are the means of sampled loops' over all control periods, to 2 %: a lag
-    of three steps is left. With gains that change in steps they were 17 % larger."""
-    device = replace(QUIET, pickoff_gain_per_kelvin=1e-4)
-    given = programme(2.0).rest(20).heat(QUIET.reference_temperature + 30, 100)
-    inputs = observe_test(record_log(simulation, QUIET, given, angle=0.0), QUIET).inputs
-    runs = ((simulation.sampled, 1e-3), (simulation.quasi_steady, 0.1))
-    sampled, quasi_steady = (
-        np.subtract(
-            *(replay_inputs(fmu, d, inputs, step)["amplitude_force"] for d in (device, QUIET))
-        )
-        for fmu, step in runs
-    )
-    np.testing.assert_allclose(quasi_steady[20:], sampled[20:], rtol=0.02)
-
-
 def test_a_thermometer_offset_is_no_temperature_rate(simulation: Simulation) -> None:
     """At power-on the case is at the logged temperature; it does not start at the reference."""
     given = programme(0.1).command(amplitude_setpoint=0.6).rest(30)
@@ -231,7 +213,7 @@ def test_forces_of_a_pattern_that_walked_far_away(simulation: Simulation) -> Non
 TURNS = {
     "a fast table": (programme(0.1).rest(5).spin(100 * DEG, 20).rest(5), 0.01),
     "a slow table": (programme(0.5).rest(30).spin(5 * DEG, 60), 0.15),
-    "a commanded rotation": (programme().rest(30).command(virtual_rotation=5 * DEG).rest(90), 0.15),
+    "a commanded rotation": (programme().rest(30).command(virtual_rotation=5 * DEG).rest(90), 0.2),
 }
 
 

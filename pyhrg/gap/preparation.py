@@ -5,6 +5,7 @@ from typing import NamedTuple
 from pyhrg.device.device import Device
 from pyhrg.gap.evidence.noise.unstated_noise import complete_stated_noise, require_noise
 from pyhrg.gap.replay.free_pattern import truncate_free_pattern
+from pyhrg.gap.replay.noise_growth import add_noise_growth
 from pyhrg.gap.replay.observations import ObservedTest, add_reading_noise, observe_test
 from pyhrg.gap.replay.reading_noise import (
     ReadingNoise,
@@ -46,7 +47,8 @@ def prepare_campaign(campaign: Campaign, simulation: Simulation) -> Preparation:
     nominal, notes = complete_stated_noise(simulation, nominal, to_fit)
     noise = estimate_reading_noise([t.log for t in started if not t.is_holdout])
     excluded += (*notes, *describe_reading_noise(noise))
-    tests = [_observe_test(simulation, nominal, test, noise) for test in started]
+    observed = [_observe_test(simulation, nominal, test, noise) for test in started]
+    tests = list(add_noise_growth(observed, nominal))
     tests.sort(key=lambda test: test.test.is_holdout)
     return Preparation(nominal, tests, excluded, (*faults, *list_reading_faults(noise)))
 

@@ -10,6 +10,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_H
 from pyhrg.gap.findings.diagnosis import Gap, GapFigure
 from pyhrg.gap.replay.observations import ObservedTest
+from pyhrg.gap.whitening.channel_noise import adapt_to_rows
 from pyhrg.gap.whitening.whitening import NoiseModel, draw_noise, whiten
 
 SEED = 1
@@ -118,7 +119,7 @@ def compute_whiteness(
     for test, residual in zip(tests, residuals, strict=True):
         rows = np.isfinite(residual)
         steps = np.diff(test.log.time[rows], prepend=0.0)
-        own = noise.add_reading_noise(test.read_noise("gyro_angle", rows))
+        own = adapt_to_rows(noise, "gyro_angle", test, rows)
         white = whiten(residual[rows][:, None], steps, own).series[:, 0]
         n, power = len(white), float(white @ white)
         for lag in range(1, min(MAX_LAG, n - 1) + 1):
@@ -140,6 +141,6 @@ def _rms(values: Array) -> float:
 
 def _draw_angle(test: ObservedTest, noise: NoiseModel, generator: np.random.Generator) -> Array:
     """(n,) output angle of noise alone, rad; NaN in rows that are not compared."""
-    own = noise.add_reading_noise(test.read_noise("gyro_angle"))
+    own = adapt_to_rows(noise, "gyro_angle", test)
     angle = draw_noise(own, len(test.log.time), test.log.interval, generator)
     return np.where(test.rows["gyro_angle"], angle, np.nan)

@@ -6,6 +6,36 @@ import numpy as np
 from scipy import signal
 
 from pyhrg.common.arrays import Array
+from pyhrg.device.device import Device
+from pyhrg.records import Log
+
+FORCES = ("amplitude_force", "quadrature_force")
+"""Channels that are zero while the drive is off."""
+
+
+def apply_loop_response(
+    values: dict[str, Array], device: Device, log: Log, aim: Array | float
+) -> dict[str, Array]:
+    """Quasi-steady forces through the loops' transfer functions, and the amplitude's error
+    (docs/methods/replay.md, Eqs. 5 to 6a). Changes `values`.
+
+    aim: (n,) amplitude that the loop holds; 0 in a difference of two gyros.
+    """
+    interval, is_driven = log.interval, log.drive_on > 0
+    departures = {
+        "amplitude_force": values["amplitude"] / device.amplitude,
+        "quadrature_force": values["quadrature"],
+    }
+    loops = (device.amplitude_loop, device.quadrature_loop)
+    for name, frequency in zip(FORCES, loops, strict=True):
+        slope = np.diff(departures[name], prepend=departures[name][0]) / interval
+        needed = values[name] - np.where(is_driven, slope, 0.0)
+        if name == "amplitude_force":
+            error = compute_loop_error(needed, frequency, interval)
+            held = np.where(is_driven, aim, values["amplitude"])
+            values["amplitude"] = held - device.amplitude * error
+        values[name] = compute_loop_force(needed, frequency, interval)
+    return values
 
 
 def compute_loop_force(force: Array, natural_frequency: float, interval: float) -> Array:

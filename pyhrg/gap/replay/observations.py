@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
+from pyhrg.gap.replay.loop_response import FORCES
 from pyhrg.gap.replay.reading_noise import ReadingNoise
 from pyhrg.gap.replay.replay import HELD_COLUMNS, ReplayInputs, prepare_inputs
 from pyhrg.records import Log
@@ -23,8 +24,6 @@ CHANNELS = (
     "frequency_offset",
 )
 """Fields of a log that are compared. The wave angle is not: the output angle follows from it."""
-FORCES = ("amplitude_force", "quadrature_force")
-"""Channels that are zero while the drive is off."""
 LOOP_COMMANDS = ("drive_on", "virtual_rotation", "amplitude_setpoint", "phase_offset")
 """Commands whose change puts the loops, and through them the pattern, into a transient."""
 COMMAND_COLUMNS = (
@@ -66,6 +65,8 @@ class ObservedTest:
     transient: (n,) rows in which loops are not settled, so that their replay needs sampled loops.
     reading_noise: (n,) by channel, SI: standard deviation of the white noise that readings of the
         bench's angles add to a comparison; a channel without any is missing.
+    noise_growth: (n,) by channel: standard deviation of its noise over that at nominal amplitude;
+        a channel whose noise does not grow is missing.
     """
 
     test: Test
@@ -73,6 +74,7 @@ class ObservedTest:
     rows: Mapping[str, Mask]
     transient: Mask
     reading_noise: Mapping[str, Array] = field(default_factory=dict)
+    noise_growth: Mapping[str, Array] = field(default_factory=dict)
 
     def read_noise(self, channel: str, rows: Mask | None = None) -> Array | None:
         """Reading noise of a channel in all rows or in some; None where there is none."""

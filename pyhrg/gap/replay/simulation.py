@@ -13,12 +13,11 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
 from pyhrg.gap.replay import replay as replays
-from pyhrg.gap.replay.loop_response import compute_loop_error, compute_loop_force
+from pyhrg.gap.replay.loop_response import FORCES, apply_loop_response
 from pyhrg.gap.replay.observations import (
     CHANNELS,
     COARSE_STEP,
     FINE_ROW,
-    FORCES,
     Mask,
     ObservedTest,
     compute_settling_time,
@@ -102,7 +101,9 @@ class Simulation:
         turned = corrected["wave_angle"] - settled["wave_angle"]
         slopes = self.differentiate_by_angle(device, test).slopes
         shifted = {name: slopes[name] * turned for name in CHANNELS if name not in ANGLES}
-        return add_channels(_apply_loop_response(corrected, device, test), shifted)
+        return add_channels(
+            apply_loop_response(corrected, device, test.log, test.log.amplitude_setpoint), shifted
+        )
 
     def _run_with_phase_lag(self, device: Device, inputs: ReplayInputs) -> dict[str, Array]:
         """With quasi-steady loops, and the phase loop's lag behind a frequency that drifts."""
@@ -249,9 +250,10 @@ def _subtract(
     change = {name: last[name] - first[name] for name in CHANNELS}
     if is_short(len(test.log.time), test.log.interval):
         return change
-    change = _apply_loop_response(change, high, test)
+    change["quadrature"] = last["quadrature"] - first["quadrature"]
+    change = apply_loop_response(change, high, test.log, 0.0)
     if any(getattr(low, name) != getattr(high, name) for name in LOOP_FIELDS):
-        before, after = (_apply_loop_response(dict(first), d, test) for d in (low, high))
+        before, after = (apply_loop_response(dict(first), d, test.log, 0.0) for d in (low, high))
         for name in ("amplitude", *FORCES):
             change[name] = change[name] + after[name] - before[name]
     return change
@@ -260,19 +262,6 @@ def _subtract(
 def add_channels(values: ChannelValues, difference: ChannelValues) -> dict[str, Array]:
     """Sum by channel; a channel that has no difference is unchanged."""
     return {name: own + difference.get(name, 0.0) for name, own in values.items()}
-
-
-def _apply_loop_response(
-    values: dict[str, Array], device: Device, test: ObservedTest
-) -> dict[str, Array]:
-    """Quasi-steady forces through the loops' transfer functions, and the amplitude's error
-    (docs/methods/replay.md, Eqs. 5 and 6). Changes `values`."""
-    error = compute_loop_error(values["amplitude_force"], device.amplitude_loop, test.log.interval)
-    values["amplitude"] = values["amplitude"] - device.amplitude * error
-    loops = (device.amplitude_loop, device.quadrature_loop)
-    for name, frequency in zip(FORCES, loops, strict=True):
-        values[name] = compute_loop_force(values[name], frequency, test.log.interval)
-    return values
 
 
 def compute_carrier_terms(

@@ -8,9 +8,9 @@ from scipy.ndimage import binary_dilation
 from pyhrg.common.arrays import Array
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
+from pyhrg.gap.replay.loop_response import FORCES
 from pyhrg.gap.replay.observations import (
     CHANNELS,
-    FORCES,
     compute_settling_time,
     find_command_changes,
     find_table_acceleration,

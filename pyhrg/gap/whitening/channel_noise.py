@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,9 +68,8 @@ class CampaignNoise:
     bryan_factor: float
 
     def get_model(self, channel: str, test: ObservedTest, rows: Mask | None = None) -> NoiseModel:
-        """Noise of a channel in a test, or in some rows (docs/methods/whitening.md, Eqs. 13-17)."""
-        own = self.get_own_model(channel, test)
-        return own.add_reading_noise(test.read_noise(channel, rows))
+        """Noise of a channel in a test, or some rows (docs/methods/whitening.md, Eqs. 13-17b)."""
+        return adapt_to_rows(self.get_own_model(channel, test), channel, test, rows)
 
     def get_own_model(self, channel: str, test: ObservedTest) -> NoiseModel:
         """Noise of a channel that is the same in all rows of a test."""
@@ -109,6 +108,19 @@ class CampaignNoise:
         return step / 2 * math.exp(-2 * math.pi**2 * variance / step**2)
 
 
+def adapt_to_rows(
+    noise: NoiseModel, channel: str, test: ObservedTest, rows: Mask | None = None
+) -> NoiseModel:
+    """A channel's noise in the rows of a test: with the readings' own noise, and grown where the
+    amplitude is small. The amplitude walks once the drive is off (Eqs. 13, 17 and 17a)."""
+    own = noise.add_reading_noise(test.read_noise(channel, rows))
+    growth = test.noise_growth.get(channel)
+    if growth is None:
+        return own
+    growth = growth if rows is None else growth[rows]
+    return replace(own, walk_growth=growth, white_growth=None if channel == "amplitude" else growth)
+
+
 def estimate_campaign_noise(
     nominal: Device,
     tests: Sequence[ObservedTest],
@@ -122,6 +134,10 @@ def estimate_campaign_noise(
     simulation, (n,) by channel for each test, SI. The simulation undoes `thermometer_lag`, s, which
     amplifies the thermometer's noise.
     """
+    residuals = [
+        _refer_to_nominal_amplitude(test, residual)
+        for test, residual in zip(tests, residuals, strict=True)
+    ]
     white = {name: _estimate_white(name, tests, residuals) for name in REPLAY_RESOLUTION}
     steps = estimate_reading_steps({t.test.id: list_measured_temperatures(t.log) for t in tests})
     temperature = {
@@ -139,7 +155,6 @@ def estimate_campaign_noise(
             least = REPLAY_RESOLUTION[channel]
             white[channel][interval] = math.sqrt(max(deviation**2 - change**2 / 12, least**2))
     density = (2 * nominal.bryan_factor * nominal.angle_random_walk) ** 2
-    pairs = list(zip(tests, residuals, strict=True))
     loops = {
         "amplitude_force": nominal.amplitude_loop,
         "quadrature_force": nominal.quadrature_loop,
@@ -148,6 +163,7 @@ def estimate_campaign_noise(
         for interval, deviation in white[channel].items():
             share = compute_visible_share(interval, loop)
             hidden = max(1 - share, 0.0) * min(density / interval, deviation**2 / share)
+            pairs = zip(tests, residuals, strict=True)
             own = [(t, r[channel]) for t, r in pairs if t.log.interval == interval]
             shown = _estimate_white_of_means(channel, own, SETTLED_PHASE / loop)
             white[channel][interval] = min(math.sqrt(deviation**2 + hidden), max(deviation, shown))
@@ -161,6 +177,14 @@ def estimate_campaign_noise(
         thermometer_lag,
         nominal.bryan_factor,
     )
+
+
+def _refer_to_nominal_amplitude(
+    test: ObservedTest, residual: Mapping[str, Array]
+) -> dict[str, Array]:
+    """A test's residuals with white noise as large as at nominal amplitude (Eq. 17a)."""
+    growth = {name: test.noise_growth.get(name, 1.0) for name in residual if name != "amplitude"}
+    return {name: values / growth.get(name, 1.0) for name, values in residual.items()}
 
 
 def compute_visible_share(interval: float, natural_frequency: float) -> float:

@@ -26,10 +26,10 @@ def compute_innovations(
     (Eqs. 6 to 10).
 
     `steps` are (n,) times since the reading before, s; `white` are the (n,) variances of their
-    white noise, `walks` the (2,) spectral densities that drive angle and rate. Each of m lags has a
-    time constant, s, a spectral density that drives it, and a rate: 1 where it adds to the rate, 0
-    where it adds to the reading. A covariance that repeats to the bit is not computed again: with
-    equal steps and variances the filter becomes stationary.
+    white noise, `walks` the (n, 2) spectral densities that drive angle and rate. Each of m lags
+    has a time constant, s, a spectral density that drives it, and a rate: 1 where it adds to the
+    rate, 0 where it adds to the reading. A covariance that repeats to the bit is not computed
+    again: with equal steps and variances the filter becomes stationary.
     """
     m = len(lags) + 2
     state, innovation = np.zeros((m, series.shape[1])), np.zeros(series.shape[1])
@@ -43,14 +43,14 @@ def compute_innovations(
     before, angle_row = covariance.copy(), np.zeros(m)
     unscaled_gain, gain = np.zeros(m), np.zeros(m)
     deviation = logarithm = log_determinant = 0.0
-    changes, last_step, last_white = True, -1.0, -1.0
+    changes, last_step, last_white, last_walk = True, -1.0, -1.0, -1.0
     for i in range(len(series)):
         if white[i] != last_white:
             last_white, changes = white[i], True
-        if steps[i] != last_step:
-            last_step, changes = steps[i], True
+        if steps[i] != last_step or walks[i, 0] != last_walk:
+            last_step, last_walk, changes = steps[i], walks[i, 0], True
             _fill_transition(
-                last_step, walks, lags, rates, densities, decay, angle_gain, process_noise
+                last_step, walks[i], lags, rates, densities, decay, angle_gain, process_noise
             )
         if changes:
             _predict_covariance(covariance, decay, angle_gain, process_noise, angle_row)

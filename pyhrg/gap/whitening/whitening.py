@@ -53,6 +53,8 @@ class NoiseModel:
     lag: time constant of that lag, s.
     correlated: one more, exponentially correlated, term.
     reading_noise: (n,) standard deviations of further white noise of each reading.
+    white_growth, walk_growth: (n,) factors of the white noise of each reading, and of the angle
+        random walk up to it.
     """
 
     angle_white_noise: float
@@ -63,6 +65,8 @@ class NoiseModel:
     lag: float = 600.0
     correlated: CorrelatedNoise | None = None
     reading_noise: Array | None = field(default=None, compare=False)
+    white_growth: Array | None = field(default=None, compare=False)
+    walk_growth: Array | None = field(default=None, compare=False)
 
     def at(self, term: str, level: float) -> "NoiseModel":
         """This noise with one term, a field's name, at another level."""
@@ -73,10 +77,24 @@ class NoiseModel:
         """This noise with independent white noise of (n,) standard deviations added."""
         return self if levels is None else replace(self, reading_noise=levels)
 
+    def as_in(self, other: "NoiseModel") -> "NoiseModel":
+        """This noise in the readings of another one."""
+        return replace(
+            self,
+            reading_noise=other.reading_noise,
+            white_growth=other.white_growth,
+            walk_growth=other.walk_growth,
+        )
+
     def compute_white_noise(self, n: int) -> Array:
         """(n,) standard deviation of each reading's white noise, of either kind."""
-        own = np.full(n, self.angle_white_noise)
+        growth = np.ones(n) if self.white_growth is None else self.white_growth
+        own = self.angle_white_noise * growth
         return own if self.reading_noise is None else np.hypot(own, self.reading_noise)
+
+    def compute_walk_growth(self, n: int) -> Array:
+        """(n,) factor of the angle random walk up to each reading."""
+        return np.ones(n) if self.walk_growth is None else self.walk_growth
 
     @cached_property
     def states(self) -> "MarkovStates":
@@ -144,14 +162,16 @@ def whiten(
 
 def _whiten_by_filter(series: Array, steps: Array, noise: NoiseModel) -> WhitenedSeries:
     white = noise.compute_white_noise(len(series))
-    walks = noise.angle_random_walk, noise.rate_random_walk, noise.bias_instability
-    if not (any(walks) or noise.lagged or noise.correlated):
+    slow = noise.angle_random_walk, noise.rate_random_walk, noise.bias_instability
+    if not (any(slow) or noise.lagged or noise.correlated):
         return WhitenedSeries(series / white[:, None], 2 * float(np.log(white).sum()))
     s = noise.states
+    grown = s.walks[0] * noise.compute_walk_growth(len(series)) ** 2
+    walks = np.column_stack([grown, np.full(len(series), s.walks[1])])
     innovations = np.empty_like(series)
     log_determinant = compute_innovations(
-        np.ascontiguousarray(series), steps, white**2, s.walks, s.lags, s.rates,
-        s.densities, innovations,
+        np.ascontiguousarray(series), steps, white**2, walks, s.lags, s.rates, s.densities,
+        innovations,
     )  # fmt: skip
     return WhitenedSeries(innovations, float(log_determinant))
 
@@ -174,6 +194,7 @@ def draw_noise(noise: NoiseModel, n: int, interval: float, generator: np.random.
                 steps[0] = generator.normal(0.0, np.sqrt(power))
             lagging = rate if is_rate else reading
             lagging += np.asarray(lfilter([1.0], [1.0, -kept], steps))
-    steps = generator.normal(0.0, noise.angle_random_walk * np.sqrt(interval), n)
+    walks = noise.angle_random_walk * noise.compute_walk_growth(n)
+    steps = generator.normal(0.0, walks * np.sqrt(interval), n)
     walk = np.cumsum(rate * interval + steps)
     return np.asarray(reading + walk + generator.normal(0.0, noise.compute_white_noise(n)))

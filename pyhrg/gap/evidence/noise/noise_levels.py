@@ -38,7 +38,7 @@ def log_likelihood(residuals: Sequence[Residual], noise: NoiseModel) -> float:
     """Log likelihood of residuals of the output angle under a noise, up to a constant."""
     total = 0.0
     for residual in residuals:
-        own = noise.add_reading_noise(residual.noise.reading_noise)
+        own = noise.as_in(residual.noise)
         white = whiten(residual.values[:, None], residual.steps, own, residual.unmodelled)
         deviance = float((white.series**2).sum()) + white.log_determinant
         total -= deviance / 2 / (1 + residual.model_error)

@@ -9,7 +9,8 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.common.units import ARCSEC, DEG_PER_SQRT_H
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.gap.replay.observations import FORCES, observe_test
+from pyhrg.gap.replay.loop_response import FORCES
+from pyhrg.gap.replay.observations import observe_test
 from pyhrg.gap.whitening.channel_noise import compute_visible_share, estimate_campaign_noise
 from pyhrg.records import Log
 from pyhrg.records.campaign import Test

@@ -24,8 +24,10 @@ def integrated_lag(t: Array, tau: float, power: float) -> Array:
 def covariance(t: Array, noise: NoiseModel) -> Array:
     low, high = np.minimum.outer(t, t), np.maximum.outer(t, t)
     read = 0.0 if noise.reading_noise is None else noise.reading_noise
-    total = np.diag(np.full(len(t), noise.angle_white_noise**2) + read**2)
-    total += noise.angle_random_walk**2 * low
+    white, walk = (1.0 if g is None else g for g in (noise.white_growth, noise.walk_growth))
+    total = np.diag((np.full(len(t), noise.angle_white_noise) * white) ** 2 + read**2)
+    walked = noise.angle_random_walk**2 * np.cumsum(walk**2 * np.diff(t, prepend=0.0))
+    total += np.minimum.outer(walked, walked)
     total += noise.rate_random_walk**2 * low**2 * (3 * high - low) / 6
     apart = np.exp(-(high - low) / noise.lag) - np.exp(-(high + low) / noise.lag)
     total += noise.lagged**2 / noise.lag / 2 * apart
@@ -59,6 +61,9 @@ NOISES = [
 TURNING = np.repeat([0.0, 0.5, 0.0, 2.0], 30)
 """Noise of readings, equal over many rows."""
 NOISES += [NoiseModel(0.3, walk).add_reading_noise(TURNING) for walk in (0.0, 0.2)]
+DECAYING = np.repeat([0.0, 1.0, 2.5], [30, 30, 60])
+"""Growth of a noise as an amplitude decays; at first there is none."""
+NOISES.append(NoiseModel(0.3, 0.2, 0.02, white_growth=1 + DECAYING, walk_growth=DECAYING))
 
 
 @pytest.mark.parametrize("times", [EVEN, UNEVEN], ids=["even", "uneven"])

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.device.device import Device
 from pyhrg.records.columns import BY_FIELD, LogError
@@ -18,11 +19,19 @@ TURNING_TIME = 10.0
 """Time over which the rate is taken, s. Chosen: noise of the angle is then far below the rate."""
 
 
-def turns(log: Log) -> bool:
-    """Whether the gyro's output turns faster than that of any gyro at rest."""
+def find_turning_times(log: Log) -> Array:
+    """Times, s, at which the gyro's output turned faster than that of any gyro at rest."""
     rows = round(np.ceil(TURNING_TIME / log.interval))
     turned = np.abs(log.gyro_angle[rows:] - log.gyro_angle[:-rows])
-    return bool(np.any(turned > TURNING_RATE * rows * log.interval))
+    passed = log.time[rows:] - log.time[:-rows]
+    return log.time[rows:][turned > TURNING_RATE * passed]
+
+
+def turns(log: Log) -> bool:
+    """Whether the table turned: the gyro's output does so with the drive on. With the drive off the
+    pattern turns by itself."""
+    driven = np.where(log.drive_on < 0.5, np.nan, log.gyro_angle)
+    return len(find_turning_times(replace(log, gyro_angle=driven))) > 0
 
 
 def note_missing_inputs(*fields: str) -> str:

@@ -122,12 +122,16 @@ def write_prediction(prediction: pd.DataFrame, path: Path) -> None:
 
 
 def describe_prediction(prediction: pd.DataFrame) -> str:
-    """How far the record is from the prediction, in a sentence."""
+    """How far the record is from the prediction, in a sentence. The mean difference is the zero of
+    the output, which a diagnosis estimates for each log."""
     residual = prediction["residual_arcsec"].dropna()
-    rms, largest = float(np.sqrt((residual**2).mean())), float(residual.abs().max())
+    mean = float(residual.mean())
+    departure = residual - mean
+    rms, largest = float(np.sqrt((departure**2).mean())), float(departure.abs().max())
     return (
-        f"record less prediction: {rms:.3g} arcsec rms, {largest:.3g} arcsec at most "
-        f"({len(residual)} rows)"
+        f"record less prediction: {rms:.3g} arcsec rms about the mean, {largest:.3g} arcsec at most "
+        f"({len(residual)} rows); the mean of {mean:.6g} arcsec is the output's zero, which a "
+        "diagnosis takes out of each log"
     )
 
 

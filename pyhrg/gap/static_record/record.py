@@ -16,8 +16,8 @@ from pyhrg.records.imu import recorded
 from pyhrg.records.missing_inputs import (
     TURNING_RATE,
     TURNING_TIME,
+    find_turning_times,
     note_missing_inputs,
-    turns,
 )
 from pyhrg.records.table import ABSENT_COLUMN
 
@@ -26,6 +26,9 @@ MIN_READINGS = 1024
 MAX_TURN = 0.1 * DEG
 """Turn of the table, rad, up to which a log is one of a gyro at rest. Chosen: above what an encoder
 reads at rest."""
+MIN_CREEP = 1 * DEG
+"""Creep of the pattern, rad, from which its bias map is named. Chosen: it changes a fourth harmonic
+of the bias by 7 % of the amplitude."""
 MOTION_SIGMAS = 10.0
 """Departure of a mean rate from the median, over its noise, above which a gyro turned. Chosen."""
 BENCH_COLUMN = b"gyro_angle_deg"
@@ -130,23 +133,34 @@ def _take_bench_log(log: Log) -> StaticRecord:
     Columns that are not there are no loss, but for the table's angle.
     """
     notes = [note for note in log.exclusions if not note.startswith(ABSENT_COLUMN)]
-    if not (log.has_values("table_angle") or turns(log)):
+    if not log.has_values("table_angle"):
+        _refuse_turning(log)
         notes.append(note_missing_inputs("table_angle"))
         log = replace(log, table_angle=np.zeros(len(log.time)))
     stretches = log.stretches("gyro_angle", "table_angle")
     stretch = max(stretches, key=lambda s: s.stop - s.start)
     if len(stretches) > 1:
-        used = f"{stretch.stop - stretch.start} of {len(log.time)} rows"
+        count = stretch.stop - stretch.start
         begin, end = log.time[stretch][[0, -1]]
-        notes.append(
+        gaps = (
             f"gaps part it into {len(stretches)} stretches: only the longest is used, "
-            f"{begin:.6g} to {end:.6g} s, {used}"
+            f"{begin:.6g} to {end:.6g} s, {count} of {len(log.time)} rows"
         )
+        if count <= MIN_READINGS:
+            raise HrgError(f"{log.source}: {gaps}; expected more than {MIN_READINGS} rows")
+        notes.append(gaps)
     turn = float(np.ptp(log.table_angle[stretch]))
     if turn > MAX_TURN:
         notes.append(
             f"not at rest: the table turned through {turn / DEG:.4g} deg. Its angle is taken out; "
             "the gyro's scale-factor error and its bias at other pattern angles are in the figures"
+        )
+    pattern = log.wave_angle[stretch][np.isfinite(log.wave_angle[stretch])]
+    creep = float(np.ptp(pattern)) if len(pattern) else 0.0
+    if creep > MIN_CREEP:
+        notes.append(
+            f"the pattern crept by {creep / DEG:.3g} deg: bias over the pattern angle is in rate "
+            "random walk and rate ramp; `hrg bench random-walk` on a campaign takes it out"
         )
     angle = (log.gyro_angle - log.table_angle)[stretch]
     temperature = log.temperature[stretch]
@@ -155,6 +169,17 @@ def _take_bench_log(log: Log) -> StaticRecord:
         *("gyro", GYRO, log.interval, np.diff(angle)), temperature[1:] if is_known else None
     )
     return StaticRecord(log.source, (replace(channel, may_drift=True),), tuple(notes))
+
+
+def _refuse_turning(log: Log) -> None:
+    """Refuse a log without the table's angle whose gyro turned, and say when."""
+    times = find_turning_times(log)
+    if len(times):
+        raise HrgError(
+            f"{log.source}: the gyro turned, first at {times[0]:.6g} s, last at {times[-1]:.6g} s, "
+            "and no table_angle_deg says how far; expected that column, or a gyro at rest: cut the "
+            "log there"
+        )
 
 
 def _describe_motion(gyro: Channel) -> str:

@@ -66,6 +66,40 @@ def test_gaps_and_turns_of_the_table_are_said(log: Path) -> None:
     assert noise.channels[0].bias.low < SITE_RATE < noise.channels[0].bias.high
 
 
+def test_a_gap_without_an_encoder_is_no_turn(log: Path) -> None:
+    pd.read_csv(log).drop(index=range(2000, 5000)).to_csv(log, index=False)
+    notes = compute_allan(log).notes
+    assert notes[-1].startswith("gaps part it into 2 stretches: only the longest is used, 500.1 to")
+
+
+def test_a_turn_without_an_encoder_is_refused_with_its_times(log: Path) -> None:
+    frame = pd.read_csv(log)
+    frame["gyro_angle_deg"] += np.clip(frame["time_s"] - 500, 0, 10)
+    frame.to_csv(log, index=False)
+    with pytest.raises(
+        HrgError, match=r"gyro turned, first at 500\.\d s, last at 519\.\d s, and no"
+    ):
+        compute_allan(log)
+
+
+def test_gaps_that_leave_too_little_are_named(log: Path) -> None:
+    frame = pd.read_csv(log)
+    frame[frame.index % 1000 > 2].to_csv(log, index=False)
+    with pytest.raises(
+        HrgError, match=r"log\.csv: gaps part it into 9 stretches: .* 997 of 8165 rows"
+    ):
+        compute_allan(log)
+
+
+@pytest.mark.parametrize(("creep", "said"), [(0.5, False), (3.0, True)])
+def test_a_pattern_that_crept_is_said(log: Path, creep: float, said: bool) -> None:
+    frame = pd.read_csv(log)
+    frame["wave_angle_deg"] = np.linspace(0, creep, len(frame))
+    frame.to_csv(log, index=False)
+    notes = compute_allan(log).notes
+    assert any(note.startswith(f"the pattern crept by {creep:g} deg") for note in notes) == said
+
+
 def test_an_imu_that_moved_is_said(tmp_path: Path) -> None:
     n = 4096
     readings = np.random.default_rng(3).normal(0, 1e-4, (n, 6))

@@ -129,8 +129,8 @@ def describe_prediction(prediction: pd.DataFrame) -> str:
     departure = residual - mean
     rms, largest = float(np.sqrt((departure**2).mean())), float(departure.abs().max())
     return (
-        f"record less prediction: {rms:.3g} arcsec rms about the mean, {largest:.3g} arcsec at most "
-        f"({len(residual)} rows); the mean of {mean:.6g} arcsec is the output's zero, which a "
+        f"record less prediction: {rms:.3g} arcsec rms about the mean, {largest:.3g} arcsec at "
+        f"most ({len(residual)} rows); the mean of {mean:.6g} arcsec is the output's zero, which a "
         "diagnosis takes out of each log"
     )
 

@@ -7,7 +7,14 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from pyhrg.records.campaign_import.column_mapping import BY_STEM
-from pyhrg.records.campaign_import.guesses import KINDS, Guess, Value, guess_columns, guess_kind
+from pyhrg.records.campaign_import.guesses import (
+    KINDS,
+    Guess,
+    Value,
+    align_frequencies,
+    guess_columns,
+    guess_kind,
+)
 from pyhrg.records.campaign_import.sketch import Sketch, read_sketch
 
 CONSTANTS = {"axis_up": "; 0 where the input axis is level and points east", "drive_on": ""}
@@ -36,7 +43,6 @@ gravity_m_s2 = 9.806            # guessed
 [nominal]
 coriolis_factor = 0.277         # guessed: angular gain of the resonator
 decay_time_s = 450.0            # guessed
-frequency_Hz = 7000.0           # guessed
 """
 
 
@@ -50,6 +56,7 @@ def draft_mapping(files: Sequence[Path | str], folder: Path | str = ".") -> str:
     paths = [Path(file) for file in files]
     sketches = [read_sketch(path) for path in paths]
     guesses = [guess_columns(sketch) for sketch in sketches]
+    frequency = f"frequency_Hz = {align_frequencies(guesses):.1f}           # guessed"
     layout, shared = sketches[0].layout, _share_guesses(guesses)
     lines = [_write_column(stem, guess) for stem, guess in shared.items()]
     lines += [
@@ -59,7 +66,11 @@ def draft_mapping(files: Sequence[Path | str], folder: Path | str = ".") -> str:
     ]
     constants = [_write_constant(stem) for stem in CONSTANTS if stem not in shared]
     head = "[columns]   # of all tests, but for what a test states"
-    parts = [HEAD, _write_table("layout", layout), "\n".join([head, *constants, *lines])]
+    parts = [
+        HEAD + frequency,
+        _write_table("layout", layout),
+        "\n".join([head, *constants, *lines]),
+    ]
     for name, path, sketch, own in zip(_name_tests(paths), paths, sketches, guesses, strict=True):
         place = Path(os.path.relpath(path, folder)).as_posix()
         lines = _draft_test(name, place, guess_kind(name, sketch, own), own, shared)

@@ -1,7 +1,7 @@
 """Guesses of what the columns of a log are, from its header and its values."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 
@@ -11,7 +11,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign_import.column_mapping import BY_STEM
 from pyhrg.records.campaign_import.sketch import Sketch
-from pyhrg.records.campaign_import.units import ANGLE, BY_COLUMN_UNIT, RATE, TURN
+from pyhrg.records.campaign_import.units import ANGLE, BY_COLUMN_UNIT, FREQUENCY, RATE, TURN
 
 PATTERNS = {
     "time": r"^t$|time|zeit|stamp",
@@ -20,20 +20,26 @@ PATTERNS = {
     "accel_x": r"^acc.*x$|^a_?x$|^f_?x$",
     "accel_y": r"^acc.*y$|^a_?y$|^f_?y$",
     "accel_z": r"^acc.*z$|^a_?z$|^f_?z$",
-    "temperature": r"^temp|^t$|^t_?(case|gyro)|^case",
+    "temperature": r"^temp|^t$|^t[ _]?(case|gyro)|^case|gehäuse",
     "virtual_rotation": r"virtual|^vr",
     "amplitude_setpoint": r"set_?point",
     "phase_offset": r"phase_?offset",
     "drive_on": r"drive|^drv",
-    "wave_angle": r"wave|pattern|muster|theta|precession",
-    "quadrature_force": r"quad|^fq$",
-    "amplitude_force": r"ampl.*force|damping|^fa$",
+    "wave_angle": r"wave|pattern|muster|welle|theta|precession",
+    "quadrature_force": r"quad|^f_?q$",
+    "amplitude_force": r"ampl.*(force|kraft)|damping|^f_?a(mpl?)?$",
     "frequency_offset": r"freq|^f$",
     "amplitude": r"^amp",
     "valid": r"valid",
-    "gyro_angle": r"gyro|omega|angle|winkel|^out|rate",
+    "gyro_angle": r"gyro|^out|ausgang",
 }
 """What a column's name without its unit matches, in lower case, by stem; the first one counts."""
+UNSURE_PATTERNS = {
+    "temperature": r"temp",
+    "amplitude": r"^a$",
+    "gyro_angle": r"omega|angle|winkel|rate",
+}
+"""Words of many quantities, matched likewise where no other column fits; such a guess is marked."""
 KINDS = {
     **{"positions": "position|circ", "ring_down": "ring|^rd", "virtual_rotation": "virtual|^vr"},
     **{"thermal": "therm", "amplitude": "ampl", "phase_step": "phase", "tumble": "tumbl"},
@@ -46,9 +52,12 @@ USUAL_UNITS = {"s": "s", "deg": "deg", "rad": "rad", "deg_s": "deg/s", "m_s2": "
 """Unit that is taken where a header names none, by the column's own unit."""
 UNIT_NAMES = {
     **{"C": "degC", "°C": "degC", "°": "deg", "Grad": "deg", "Grad/s": "deg/s", "°/s": "deg/s"},
-    **{"°/h": "deg/h", "dps": "deg/s", "m/s^2": "m/s2", "m/s²": "m/s2"},
+    **{"°/h": "deg/h", "dps": "deg/s", "m/s^2": "m/s2", "m/s²": "m/s2", "V": "1", "mV": "1"},
 }
-"""Units as a laboratory may write them, by their names in a mapping."""
+"""Units as a laboratory may write them, by their names in a mapping; an amplitude in volts is a
+number of its scale."""
+KNOWN_UNITS = {*UNIT_NAMES, *RATE}.union(*BY_COLUMN_UNIT.values())
+"""Units that tell what a column is not."""
 TIME_FORMATS = tuple(
     f"{date}%H:%M:%S{fraction}" for date in ("", "%d.%m.%Y ") for fraction in ("", ".%f", ",%f")
 )
@@ -59,10 +68,19 @@ LARGEST_OFFSET = 100.0
 """A loop frequency above this, in the log's unit, is no offset from the nominal one. Chosen."""
 AMPLITUDE_TOLERANCE = 0.2
 """A first amplitude further than this from 1 is in another unit than the nominal amplitude."""
+MAX_START_ANGLE = 1 * DEG
+"""Largest difference of the first output angle and the table's, rad, of those that count from the
+same zero. Chosen: Earth's rate makes it in 4 minutes."""
+FREQUENCY_REMARK = "guessed: less nominal.frequency_Hz"
+NOMINAL_FREQUENCY = 7000.0
+"""Hz, where no log has the loop's frequency itself."""
 MIN_TABLE_TURN = 1 * DEG
 """Smallest range of a turntable's angle, rad, of a log that is not static. Chosen."""
 EVEN_STEP_TOLERANCE = 0.01
 """Largest relative departure of a step from the mean in times that rise evenly. Chosen."""
+
+BRACKETED = re.compile(r"(.*?)\s*[\[(](.*)[\])]\s*")
+"""A name with its unit in brackets."""
 
 Value = str | float | bool
 
@@ -86,14 +104,34 @@ class Guess:
 
 
 def guess_columns(sketch: Sketch) -> dict[str, Guess]:
-    """Guesses by stem; a column takes the first stem that fits and is free."""
+    """Guesses by stem; a column takes the first stem that fits and is free, a sure one if any."""
     guesses: dict[str, Guess] = {}
-    for place, name in enumerate(sketch.names):
-        own = {} if "'" in name else dict(_guess_column(sketch, place))
-        stem = next((stem for stem in own if stem not in guesses), "")
-        if stem:
-            guesses[stem] = own[stem]
-    return _align_origins(guesses)
+    for patterns, remark in ((PATTERNS, ""), (UNSURE_PATTERNS, "guessed")):
+        used = {guess.column for guess in guesses.values()}
+        for place, name in enumerate(sketch.names):
+            if "'" in name or name in used:
+                continue
+            own = dict(_guess_column(sketch, place, patterns))
+            stem = next((stem for stem in own if stem not in guesses), "")
+            if stem:
+                guesses[stem] = replace(own[stem], remark=own[stem].remark or remark)
+    return _align_origins(sketch, guesses)
+
+
+def align_frequencies(guesses: Sequence[dict[str, Guess]]) -> float:
+    """Nominal frequency, Hz, of the gyro: that of the first log that has the loop's frequency, to
+    three digits. The offsets of all logs are set to it."""
+    nominal = 0.0
+    for own in guesses:
+        guess = own.get("frequency_offset")
+        if not guess or guess.remark != FREQUENCY_REMARK:
+            continue
+        factor = FREQUENCY[str(guess.get("unit"))].factor / FREQUENCY["Hz"].factor
+        keys = dict(guess.keys)
+        nominal = nominal or float(f"{-float(keys['offset']) * factor:.3g}")
+        keys["offset"] = -nominal / factor
+        own["frequency_offset"] = replace(guess, keys=tuple(keys.items()))
+    return nominal or NOMINAL_FREQUENCY
 
 
 def guess_kind(name: str, sketch: Sketch, guesses: Mapping[str, Guess]) -> str:
@@ -110,16 +148,30 @@ def guess_kind(name: str, sketch: Sketch, guesses: Mapping[str, Guess]) -> str:
     return "rate" if np.mean(steps > 0.1 * np.max(steps)) > 0.5 else "positions"
 
 
-def _align_origins(guesses: dict[str, Guess]) -> dict[str, Guess]:
-    """Guesses whose output angle counts from zero where the table's does: one that is logged as an
-    angle, since sums of rates begin at zero."""
+def _align_origins(sketch: Sketch, guesses: dict[str, Guess]) -> dict[str, Guess]:
+    """Guesses whose output angle counts from zero where the table's does, or where it begins
+    elsewhere: one that is logged as an angle, since sums of rates begin at zero."""
     gyro, table = guesses.get("gyro_angle"), guesses.get("table_angle")
-    if gyro and table and table.get("from_zero") and not gyro.get("integrate"):
-        guesses["gyro_angle"] = replace(gyro, keys=(*gyro.keys, ("from_zero", True)))
+    if not gyro or gyro.get("integrate"):
+        return guesses
+    counts = bool(table and table.get("from_zero"))
+    first = _read_first_angle(sketch, gyro) - (_read_first_angle(sketch, table) if table else 0.0)
+    if counts or abs(first) > MAX_START_ANGLE:
+        remark = gyro.remark if counts else "guessed: it begins far from zero"
+        guesses["gyro_angle"] = Guess(gyro.column, (*gyro.keys, ("from_zero", True)), remark)
     return guesses
 
 
-def _guess_column(sketch: Sketch, place: int) -> Iterator[tuple[str, Guess]]:
+def _read_first_angle(sketch: Sketch, guess: Guess) -> float:
+    """First value of a column of angles, rad; 0 where it is none."""
+    values = sketch.read_numbers(sketch.names.index(guess.column))[:1]
+    unit = ANGLE.get(str(guess.get("unit")))
+    return float(values[0]) * unit.factor if unit and np.isfinite(values).any() else 0.0
+
+
+def _guess_column(
+    sketch: Sketch, place: int, patterns: Mapping[str, str]
+) -> Iterator[tuple[str, Guess]]:
     """Stem and guess for each quantity that a column may be."""
     name, stated = sketch.names[place], sketch.units[place]
     values, clock = sketch.read_numbers(place), _find_time_format(sketch.rows[0][place])
@@ -128,14 +180,15 @@ def _guess_column(sketch: Sketch, place: int) -> Iterator[tuple[str, Guess]]:
         remark = remark if clock == UNKNOWN_FORMAT else "guessed"
         yield "time", Guess(name, (("format", clock),), remark)
         return
-    for stem, pattern in PATTERNS.items():
+    for stem, pattern in patterns.items():
         column = BY_STEM[stem]
         units = BY_COLUMN_UNIT[column.unit] | (RATE if column.unit == "deg" else {})
         names = {unit: unit for unit in units}
         names |= {name: unit for name, unit in UNIT_NAMES.items() if unit in units}
         bare, unit = _find_unit(name, stated, names)
         is_clock = stem == "time" and bool(unit) and _rises_evenly(values)
-        if not (re.search(pattern, bare) or is_clock):
+        is_other = not unit and _state_unit(name, stated) in KNOWN_UNITS
+        if is_other or not (re.search(pattern, bare) or is_clock):
             continue
         remark = "" if unit or not column.unit else "unit guessed"
         unit = unit or USUAL_UNITS[column.unit]
@@ -161,7 +214,7 @@ def _guess_conversion(stem: str, values: Array, turn: float) -> tuple[dict[str, 
         return {}, ""
     first, steps = float(values[0]), np.abs(np.diff(values))
     if stem == "frequency_offset" and first > LARGEST_OFFSET:
-        return {"offset": -round(first)}, "guessed: less nominal.frequency_Hz"
+        return {"offset": -first}, FREQUENCY_REMARK
     is_amplitude = stem in ("amplitude", "amplitude_setpoint") and first > 0
     if is_amplitude and abs(first - 1) > AMPLITUDE_TOLERANCE:
         return {"scale": float(f"{1 / first:.6g}")}, "guessed: 1 at the nominal amplitude"
@@ -192,12 +245,17 @@ def _find_time_format(text: str) -> str:
 def _find_unit(name: str, stated: str, units: Mapping[str, str]) -> tuple[str, str]:
     """A column's name in lower case without its unit, and the unit in a mapping's words: in
     brackets, at the end, or stated elsewhere."""
-    parts = re.fullmatch(r"(.*?)\s*[\[(](.*)[\])]\s*", name)
+    parts = BRACKETED.fullmatch(name)
     if parts and parts[2] in units:
         return parts[1].lower(), units[parts[2]]
     for unit in sorted(units, key=len, reverse=True):
         for suffix in ("_" + unit.replace("/", "_per_"), "_" + unit.replace("/", "_"), "_" + unit):
             if name.lower().endswith(suffix.lower()):
                 return name.lower().removesuffix(suffix.lower()), units[unit]
-    stated = stated.strip("[]()")
-    return name.lower(), units.get(stated, "")
+    return name.lower(), units.get(_state_unit("", stated), "")
+
+
+def _state_unit(name: str, stated: str) -> str:
+    """The unit as a laboratory writes it in brackets after a name, or elsewhere."""
+    parts = BRACKETED.fullmatch(name)
+    return parts[2] if parts else stated.strip("[]()")

@@ -112,6 +112,50 @@ def test_a_kind_is_guessed_by_the_table_and_times_by_their_evenness(tmp_path: Pa
     assert [test.get("interval_s") for test in draft["tests"]] == [None, None, None, "edit"]
 
 
+HEADERS = {
+    "german": "Zeit [s];Drehtisch [°];Ausgang [°];Wellenwinkel [°];Amplitudenkraft [1/s];"
+    "Quadraturkraft [1/s];Frequenz [Hz];Gehäusetemperatur [°C]",
+    "short": "t [s];enc [deg];out [deg];theta [deg];F_amp [1/s];"
+    "F_Q [1/s];f [Hz];T case [degC];A [V]",
+    "no_table": "t [s];T_room [C];Gyro out [deg];Pattern angle [deg];F_A [1/s];"
+    "Quad [1/s];f [Hz];T [C]",
+}
+CELLS = "0.2;1e-3;2e-3;4711.3;23.5;1.25"
+
+
+def test_other_names_of_a_laboratory_are_known(tmp_path: Path) -> None:
+    """Output and pattern, forces in 1/s that are no amplitude, volts, a case between two
+    thermometers, an output from 17 deg, a frequency that is that of the drafted nominal value."""
+    logs = [tmp_path / f"{name}.csv" for name in HEADERS]
+    for path, header in zip(logs, HEADERS.values(), strict=True):
+        width = len(header.split(";"))
+        rows = [";".join(f"{i + 1};0;{17 + i};{CELLS}".split(";")[:width]) for i in range(3)]
+        path.write_text("\n".join([header, *rows]))
+    text = draft_mapping(logs, tmp_path)
+    draft = tomllib.loads(text)
+    assert draft["nominal"]["frequency_Hz"] == 4710.0
+    for test, header in zip(draft["tests"], HEADERS.values(), strict=True):
+        columns = {**draft["columns"], **test["columns"]}
+        names = [part for part in header.split(";") if part != "T_room [C]"]
+        stems = ["time", "table_angle", "gyro_angle", "wave_angle", "amplitude_force"]
+        stems += ["quadrature_force", "frequency_offset", "temperature", "amplitude"]
+        if test["id"] == "no_table":
+            stems.remove("table_angle")
+        drafted = {stem: own["column"] for stem, own in columns.items() if isinstance(own, dict)}
+        assert drafted == dict(zip(stems, names, strict=False))
+        assert columns["gyro_angle"]["from_zero"]
+        assert columns["frequency_offset"]["offset"] == -4710
+    assert text.count("from_zero = true }   # guessed: it begins far from zero") == 3
+
+
+def test_a_guess_by_a_word_of_many_is_marked(tmp_path: Path) -> None:
+    """An angle of anything, and the temperature of anything."""
+    (tmp_path / "log.csv").write_text("t [s],Winkel [deg],Raumtemperatur [C]\n1,0.1,20\n2,0.2,20\n")
+    text = draft_mapping([tmp_path / "log.csv"], tmp_path)
+    assert "gyro_angle = { column = 'Winkel [deg]', unit = \"deg\" }   # guessed" in text
+    assert "column = 'Raumtemperatur [C]', unit = \"degC\" }   # guessed" in text
+
+
 def test_a_log_without_a_header_is_not_drafted(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

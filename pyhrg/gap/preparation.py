@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+from pyhrg.common.units import ZERO_CELSIUS
 from pyhrg.device.device import Device
 from pyhrg.gap.evidence.noise.unstated_noise import complete_stated_noise, require_noise
 from pyhrg.gap.replay.free_pattern import truncate_free_pattern
@@ -19,6 +20,9 @@ from pyhrg.gap.soundness.fault import Fault, list_reading_faults
 from pyhrg.records.campaign import Campaign, CampaignError, Test
 from pyhrg.records.table import merge_sources
 
+SOAKED = (
+    "{}: the resonator had settled to {:.1f} degC before the log began, as the loop frequency shows"
+)
 NO_START = "{}: not used: no row with both gyro_angle_deg and wave_angle_deg: no start angle"
 
 
@@ -48,6 +52,8 @@ def prepare_campaign(campaign: Campaign, simulation: Simulation) -> Preparation:
     noise = estimate_reading_noise([t.log for t in started if not t.is_holdout])
     excluded += (*notes, *describe_reading_noise(noise))
     observed = [_observe_test(simulation, nominal, test, noise) for test in started]
+    soaked = [t.test for t in observed if t.inputs.is_soaked]
+    excluded += tuple(SOAKED.format(t.id, t.log.temperature[0] - ZERO_CELSIUS) for t in soaked)
     tests = list(add_noise_growth(observed, nominal))
     tests.sort(key=lambda test: test.test.is_holdout)
     return Preparation(nominal, tests, excluded, (*faults, *list_reading_faults(noise)))

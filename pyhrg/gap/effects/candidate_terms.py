@@ -167,7 +167,8 @@ def compute_coordinates(
     is_driven = log.drive_on > 0
     energetic = np.hypot(replay["amplitude"], replay.get("quadrature", 0.0))
     case = test.inputs.temperatures - nominal.reference_temperature
-    resonator = _follow_with_lag(case, nominal.thermal_lag / log.interval, 0.0)
+    start = float(case[0]) if test.inputs.is_soaked else 0.0
+    resonator = _follow_with_lag(case, nominal.thermal_lag / log.interval, start)
     return Coordinates(
         test,
         replay["wave_angle"],

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from scipy.signal import lfilter
 
 from pyhrg.bench.bench import LOOP_OUTPUTS, OUTPUTS_AT_END, compute_earth_rate, record_rows_together
 from pyhrg.bench.programme import HELD_INPUTS, compute_step_middles, interpolate_rows
@@ -17,6 +16,7 @@ from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import WIDE, GyroFmu
 from pyhrg.gap.replay.instruments import estimate_toggling_step
+from pyhrg.gap.replay.soak import find_lag, is_soaked
 from pyhrg.gap.replay.table_motion import TableMotion, estimate_table_motion
 from pyhrg.records import COLUMNS, Log
 
@@ -27,6 +27,7 @@ MIN_READINGS = 10
 ANGLES = ("gyro_angle", "wave_angle")
 """Fields of a log that are read at the end of a row."""
 READ_AT_END = {**OUTPUTS_AT_END, "quadrature": "quadrature"}
+START_TEMPERATURE = "resonator.environment.startTemperature"
 CLOCK_FIELDS = ("clock_latency", "clock_rate")
 """Fields of a device that state by how much later angles are read."""
 STEP_ROUNDING = 1e-9
@@ -46,6 +47,7 @@ class ReplayInputs:
     table: motion of the turntable.
     temperatures: (n + 1,) of the case at the rows' bounds, K.
     start_table_angle: of the table at power-on, rad.
+    is_soaked: whether the resonator starts at the case's temperature, not at the reference.
     """
 
     log: Log
@@ -53,6 +55,7 @@ class ReplayInputs:
     table: TableMotion
     temperatures: Array
     start_table_angle: float = 0.0
+    is_soaked: bool = False
 
     def table_angle(self, steps: int) -> Array:
         """(n, steps) at the middles of equal steps of each row, rad."""
@@ -69,6 +72,7 @@ class ReplayInputs:
             self.table.section(rows),
             self.temperatures[rows.start : rows.stop + 1],
             float(self.log.table_angle[rows.start - 1]) if rows.start else self.start_table_angle,
+            self.is_soaked,
         )
 
 
@@ -77,11 +81,13 @@ def prepare_inputs(log: Log, nominal: Device) -> ReplayInputs:
     temperature = np.append(log.temperature[0], log.temperature)
     step = estimate_toggling_step(list_measured_temperatures(log))
     log = replace(log, table_angle=_average_steady(log.table_angle))
+    temperatures = _average_steady(temperature, step / math.sqrt(12))
     return ReplayInputs(
         log,
         estimate_start_angle(log, nominal.bryan_factor),
         estimate_table_motion(log.table_angle, log.interval),
-        _average_steady(temperature, step / math.sqrt(12)),
+        temperatures,
+        is_soaked=is_soaked(log, temperatures, nominal),
     )
 
 
@@ -153,7 +159,10 @@ def _replay_few(
         for device, inputs in runs:
             moving = _list_moving_inputs(fmu, device, inputs, steps)
             parameters = _list_parameters(fmu, device) | starts
-            parameters["caseTemperature"] = float(correct_temperatures(device, inputs)[0])
+            case = float(correct_temperatures(device, inputs)[0])
+            parameters["caseTemperature"] = case
+            if inputs.is_soaked:
+                parameters[START_TEMPERATURE] = case - device.reference_temperature
             angle = _find_start_angle(device, inputs)
             gyros.append(stack.enter_context(fmu.power_on(parameters, seed=0, start_angle=angle)))
             varying.append(moving)
@@ -205,7 +214,7 @@ def correct_temperatures(device: Device, inputs: ReplayInputs) -> Array:
     lag, interval = device.thermometer_lag, inputs.log.interval
     readings = inputs.temperatures
     if lag < -SLOPE_TIME:
-        readings = readings - _find_lag(readings, interval, -lag)
+        readings = readings - find_lag(readings, interval, -lag)
     else:
         readings = readings + lag * _find_slopes(readings, interval)
     reference = device.reference_temperature
@@ -218,14 +227,6 @@ def _find_slopes(readings: Array, interval: float) -> Array:
     rows, half = np.arange(len(readings)), max(1, round(SLOPE_TIME / interval))
     low, high = np.maximum(rows - half, 0), np.minimum(rows + half, len(rows) - 1)
     return np.asarray((readings[high] - readings[low]) / ((high - low) * interval))
-
-
-def _find_lag(readings: Array, interval: float, lag: float) -> Array:
-    """(n,) departure of readings that are linear between rows from what follows them with a
-    first-order lag, s, and has settled at the first."""
-    kept = math.exp(-interval / lag)
-    slopes = np.diff(readings, prepend=readings[0]) / interval
-    return np.asarray(lfilter([lag * (1 - kept)], [1.0, -kept], slopes))
 
 
 def list_read_out_fields(log: Log) -> tuple[str, ...]:

@@ -81,10 +81,12 @@ SAMPLED = {
 }  # fmt: skip
 """Meaning and equation, every 10 ms, of variables with a memory; they are steady at power-on."""
 RATE = "    angularRate = angularRate"
-RATE_WITH_BIAS = """    angularRate = angularRate + addedRate,
-    pickOff(turning = gyro.controller.commandedTurn
-      - (1 - gyro.controller.forceToRebalance)*2*gyro.controller.readout.bryanFactor*angularRate)"""
-"""Input rate of the inner gyro with a bias, which may follow the angle that the pick-offs read: how
+RATE_WITH_BIAS = "    angularRate = angularRate + addedRate"
+TURNING = {
+    "pickOff.turning": "gyro.controller.commandedTurn - (1 - gyro.controller.forceToRebalance)"
+    "*2*gyro.controller.readout.bryanFactor*angularRate"
+}
+"""Modifier of the inner gyro with a bias, which may follow the angle that the pick-offs read: how
 these are skewed by a turning pattern then follows the rate of the case alone."""
 TEXT = """model {name} "{title}"
   extends HRG.Interfaces.PartialGyro{starts};
@@ -112,7 +114,8 @@ def write_class(device: Device, terms: Sequence[Term], title: str, notes: Sequen
     started = ", ".join(f"{n}(start = {v!r})" for n, v in own["inputs"].items())
     fixed = ", ".join(f"{n} = {v!r}" for n, v in own["start"].items())
     starts = ", ".join(part for part in (fixed, started) if part)
-    modifiers = _format_modifiers(own["gyro"])
+    has_bias = "addedRate" in added
+    modifiers = _format_modifiers({**own["gyro"], **(TURNING if has_bias else {})})
     return TEXT.format(
         name=CLASS,
         version=version("hrg"),
@@ -120,7 +123,7 @@ def write_class(device: Device, terms: Sequence[Term], title: str, notes: Sequen
         starts=f"({starts})" if starts else "",
         parameters="".join(_declare_parameters(t) for t in terms),
         variables=_declare_variables(used, added),
-        rate=RATE_WITH_BIAS if "addedRate" in added else RATE,
+        rate=RATE_WITH_BIAS if has_bias else RATE,
         held=",\n".join(f"    {name} = {name}" for name in INPUTS),
         modifiers=f",\n    {modifiers}" if modifiers else "",
         equations=_write_equations(device, terms, used, added),
@@ -138,8 +141,9 @@ def _split_values(device: Device) -> dict[str, dict[str, float]]:
     return split
 
 
-def _format_modifiers(values: Mapping[str, float]) -> str:
-    """Nested modifiers of dotted names; elements of a vector make a whole vector of three."""
+def _format_modifiers(values: Mapping[str, float | str]) -> str:
+    """Nested modifiers of dotted names, texts being expressions; elements of a vector make a whole
+    vector of three."""
     tree: dict[str, Any] = {}
     for name, value in values.items():
         *path, last = name.split(".")
@@ -159,7 +163,7 @@ def _format_modifiers(values: Mapping[str, float]) -> str:
             elif isinstance(value, list):
                 parts.append(f"{key} = {{{', '.join(map(repr, value))}}}")
             else:
-                parts.append(f"{key} = {value!r}")
+                parts.append(f"{key} = {value}")
         return ", ".join(parts)
 
     return ",\n    ".join(write({key: value}) for key, value in tree.items())

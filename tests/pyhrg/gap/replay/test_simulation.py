@@ -22,6 +22,7 @@ from pyhrg.gap.replay.observations import (
 from pyhrg.gap.replay.replay import estimate_start_angle
 from pyhrg.gap.replay.simulation import Simulation, replay_sampled
 from pyhrg.gap.whitening.channel_noise import REPLAY_RESOLUTION
+from pyhrg.records import COLUMNS
 from pyhrg.records.campaign import Test
 from tests.pyhrg.gap.soundness.conftest import NOMINAL
 from tests.pyhrg.records.made_up import made_up_log
@@ -137,6 +138,29 @@ def test_warming(simulation: Simulation, loop: float) -> None:
     assert_agreement(
         simulation, device, test, FOLLOWING | {"frequency_offset": 3e-3}, is_transient=False
     )
+
+
+def test_a_log_may_begin_with_a_settled_resonator(simulation: Simulation) -> None:
+    """Ten thermal lags at 10 K above the reference, of which the log has the last: 10 K times e^-9
+    are left to settle. The log from power-on begins at the reference."""
+    device = replace(QUIET, frequency_per_kelvin=8.5e-5, decay_time_per_kelvin=-3e-3)
+    warm = device.reference_temperature + 10
+    given = programme(10.0).heat(warm, 100).rest(10 * device.thermal_lag)
+    bench = Bench(simulation.quasi_steady, device)
+    (test,) = bench.run([PowerOn("test", "static", given, start_angle=0.3)])
+    cut = {c.field: getattr(test.log, c.field)[-60:] for c in COLUMNS}
+    cut["time"] = test.log.time[:60]
+    cut["gyro_angle"] = cut["gyro_angle"] - test.log.gyro_angle[-61]
+    cut["table_angle"] = cut["table_angle"] - test.log.table_angle[-61]
+    later = Test("later", "static", "fit", replace(test.log, **cut))
+    assert not observe_test(test, device).inputs.is_soaked
+    observed = observe_test(later, device)
+    assert observed.inputs.is_soaked
+    answer = simulation.simulate(device, observed)["frequency_offset"]
+    error = np.abs(later.log.frequency_offset - answer)[observed.rows["frequency_offset"]]
+    assert error.max() < 10 * np.exp(-9) * device.frequency * device.frequency_per_kelvin
+    unknown = replace(later.log, frequency_offset=np.full(60, np.nan))
+    assert not observe_test(Test("", "static", "fit", unknown), device).inputs.is_soaked
 
 
 def test_a_thermometer_offset_is_no_temperature_rate(simulation: Simulation) -> None:

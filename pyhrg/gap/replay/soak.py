@@ -1,0 +1,43 @@
+"""Whether a resonator had settled to the case's temperature before its log begins."""
+
+import math
+
+import numpy as np
+from scipy.signal import lfilter
+
+from pyhrg.common.arrays import Array
+from pyhrg.device.device import Device
+from pyhrg.records import Log
+
+MIN_DEPARTURE = 1.0
+"""Departure of the first reading from the reference temperature, K, above which a log may begin
+with a settled resonator. Chosen: five tolerances of a thermometer's offset; below it the offset
+says the same."""
+MAX_POWER_RATIO = 0.25
+"""Largest power of the frequency's residual with a settled resonator, over that with one that
+starts at the reference temperature, at which the log begins so. Chosen."""
+
+
+def find_lag(readings: Array, interval: float, lag: float) -> Array:
+    """(n,) departure of readings that are linear between rows from what follows them with a
+    first-order lag, s, and has settled at the first."""
+    kept = math.exp(-interval / lag)
+    slopes = np.diff(readings, prepend=readings[0]) / interval
+    return np.asarray(lfilter([lag * (1 - kept)], [1.0, -kept], slopes))
+
+
+def is_soaked(log: Log, temperatures: Array, nominal: Device) -> bool:
+    """Whether the loop frequency shows a resonator that was at the case's temperature when the log
+    began, and not at the reference temperature. The temperatures are (n + 1,) of the case at the
+    rows' bounds, K (docs/methods/replay.md, "Start temperature")."""
+    departure = float(temperatures[0]) - nominal.reference_temperature
+    rows = np.isfinite(log.frequency_offset) & (log.drive_on > 0)
+    if abs(departure) < MIN_DEPARTURE or not rows.any():
+        return False
+    settled = temperatures[1:] - find_lag(temperatures, log.interval, nominal.thermal_lag)[1:]
+    cold = settled - departure * np.exp(-log.time / nominal.thermal_lag)
+    slope = nominal.frequency * nominal.frequency_per_kelvin
+    powers = [
+        float(np.var((log.frequency_offset - slope * warmth)[rows])) for warmth in (settled, cold)
+    ]
+    return powers[0] < MAX_POWER_RATIO * powers[1]

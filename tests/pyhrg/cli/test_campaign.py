@@ -190,12 +190,12 @@ file = "table.csv"
 
 def test_a_table_that_turned_is_not_taken_to_rest(recorded_campaign: Path) -> None:
     given = campaign.read_campaign(recorded_campaign)
-    tests = [test for test in given.tests if test.kind == "ring_down"]
+    tests = [test for test in given.tests if test.kind == "rate"]
     absent = [np.full(len(test.log.time), np.nan) for test in tests]
     pairs = zip(tests, absent, strict=True)
     spoilt = tuple(replace(t, recording=replace(t.log, table_angle=angle)) for t, angle in pairs)
     with pytest.raises(LogError, match="column table_angle_deg is missing"):
-        run_test("ring-down", campaign=replace(given, tests=spoilt))
+        run_test("rate-reversal", campaign=replace(given, tests=spoilt))
 
 
 def test_a_spreadsheet_is_refused_in_words(

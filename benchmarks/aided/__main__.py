@@ -19,6 +19,7 @@ from scipy.stats import chi2
 from benchmarks.aided.bound import bound_triads
 from benchmarks.aided.drawn import filter_drawn
 from benchmarks.aided.flown import STUDY_SEED, AidedTriad, Told, fly_triads
+from ins_eval.aided.bench_maps import SEEN
 from ins_eval.study.experiment import load_fmu
 from ins_eval.study.gyros.drawn_triad import AXES, TriadDistribution
 from ins_eval.study.gyros.population import RAW, TRIMMED
@@ -28,9 +29,6 @@ from pyhrg.common.units import DEG_PER_H
 
 LEARNING, TRIADS, DRAWS = 12, 16, 1000
 DRAWN_MISSIONS, DRAWN_HOURS = ("city", "aircraft"), 0.5
-SEEN = 0.1
-"""A direction among the harmonics is seen if the drive leaves at most this share of its
-variance."""
 
 
 def compute_nees(told: Told, true: Array) -> tuple[float, int, float, int]:

@@ -162,7 +162,9 @@ def estimate_campaign_noise(
     for channel, loop in loops.items():
         for interval, deviation in white[channel].items():
             share = compute_visible_share(interval, loop)
-            hidden = max(1 - share, 0.0) * min(density / interval, deviation**2 / share)
+            if share >= 1:
+                continue
+            hidden = (1 - share) * min(density / interval, deviation**2 / share)
             pairs = zip(tests, residuals, strict=True)
             own = [(t, r[channel]) for t, r in pairs if t.log.interval == interval]
             shown = _estimate_white_of_means(channel, own, SETTLED_PHASE / loop)

@@ -80,8 +80,6 @@ SAMPLED = {
     "started": ("1 from the first sample on", "1"),
 }  # fmt: skip
 """Meaning and equation, every 10 ms, of variables with a memory; they are steady at power-on."""
-RATE = "    angularRate = angularRate"
-RATE_WITH_BIAS = "    angularRate = angularRate + addedRate"
 TURNING = {
     "pickOff.turning": "gyro.controller.commandedTurn - (1 - gyro.controller.forceToRebalance)"
     "*2*gyro.controller.readout.bryanFactor*angularRate"
@@ -94,7 +92,7 @@ TEXT = """model {name} "{title}"
     seed = seed,
     startAngle = startAngle,
     startAmplitude = startAmplitude,
-{rate},
+    angularRate = angularRate{bias},
 {held}{modifiers}) "The identified gyro, its causes put in";
 equation
 {equations}
@@ -123,7 +121,7 @@ def write_class(device: Device, terms: Sequence[Term], title: str, notes: Sequen
         starts=f"({starts})" if starts else "",
         parameters="".join(_declare_parameters(t) for t in terms),
         variables=_declare_variables(used, added),
-        rate=RATE_WITH_BIAS if has_bias else RATE,
+        bias=" + addedRate" if has_bias else "",
         held=",\n".join(f"    {name} = {name}" for name in INPUTS),
         modifiers=f",\n    {modifiers}" if modifiers else "",
         equations=_write_equations(device, terms, used, added),

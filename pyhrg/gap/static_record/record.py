@@ -137,18 +137,41 @@ def _take_bench_log(log: Log) -> StaticRecord:
         _refuse_turning(log)
         notes.append(note_missing_inputs("table_angle"))
         log = replace(log, table_angle=np.zeros(len(log.time)))
+    stretch, gaps = _choose_stretch(log)
+    notes += [*gaps, *_describe_stretch(log, stretch)]
+    angle = (log.gyro_angle - log.table_angle)[stretch]
+    temperature = log.temperature[stretch]
+    is_known = bool(np.all(np.isfinite(temperature)))
+    channel = channel_from_increments(
+        *("gyro", GYRO, log.interval, np.diff(angle)), temperature[1:] if is_known else None
+    )
+    return StaticRecord(log.source, (replace(channel, may_drift=True),), tuple(notes))
+
+
+def _choose_stretch(log: Log) -> tuple[slice, list[str]]:
+    """Rows of the longest stretch without gaps, and a sentence where there are gaps.
+
+    Raises:
+        HrgError: gaps leave too few rows.
+    """
     stretches = log.stretches("gyro_angle", "table_angle")
     stretch = max(stretches, key=lambda s: s.stop - s.start)
-    if len(stretches) > 1:
-        count = stretch.stop - stretch.start
-        begin, end = log.time[stretch][[0, -1]]
-        gaps = (
-            f"gaps part it into {len(stretches)} stretches: only the longest is used, "
-            f"{begin:.6g} to {end:.6g} s, {count} of {len(log.time)} rows"
-        )
-        if count <= MIN_READINGS:
-            raise HrgError(f"{log.source}: {gaps}; expected more than {MIN_READINGS} rows")
-        notes.append(gaps)
+    if len(stretches) == 1:
+        return stretch, []
+    count = stretch.stop - stretch.start
+    begin, end = log.time[stretch][[0, -1]]
+    gaps = (
+        f"gaps part it into {len(stretches)} stretches: only the longest is used, "
+        f"{begin:.6g} to {end:.6g} s, {count} of {len(log.time)} rows"
+    )
+    if count <= MIN_READINGS:
+        raise HrgError(f"{log.source}: {gaps}; expected more than {MIN_READINGS} rows")
+    return stretch, [gaps]
+
+
+def _describe_stretch(log: Log, stretch: slice) -> list[str]:
+    """Sentences where the table turned, or the pattern crept."""
+    notes = []
     turn = float(np.ptp(log.table_angle[stretch]))
     if turn > MAX_TURN:
         notes.append(
@@ -162,13 +185,7 @@ def _take_bench_log(log: Log) -> StaticRecord:
             f"the pattern crept by {creep / DEG:.3g} deg: bias over the pattern angle is in rate "
             "random walk and rate ramp; `hrg bench random-walk` on a campaign takes it out"
         )
-    angle = (log.gyro_angle - log.table_angle)[stretch]
-    temperature = log.temperature[stretch]
-    is_known = bool(np.all(np.isfinite(temperature)))
-    channel = channel_from_increments(
-        *("gyro", GYRO, log.interval, np.diff(angle)), temperature[1:] if is_known else None
-    )
-    return StaticRecord(log.source, (replace(channel, may_drift=True),), tuple(notes))
+    return notes
 
 
 def _refuse_turning(log: Log) -> None:

@@ -154,21 +154,7 @@ def estimate_campaign_noise(
             change = slope * float(np.median(kelvins)) * interval / nominal.thermal_lag
             least = REPLAY_RESOLUTION[channel]
             white[channel][interval] = math.sqrt(max(deviation**2 - change**2 / 12, least**2))
-    density = (2 * nominal.bryan_factor * nominal.angle_random_walk) ** 2
-    loops = {
-        "amplitude_force": nominal.amplitude_loop,
-        "quadrature_force": nominal.quadrature_loop,
-    }
-    for channel, loop in loops.items():
-        for interval, deviation in white[channel].items():
-            share = compute_visible_share(interval, loop)
-            if share >= 1:
-                continue
-            hidden = (1 - share) * min(density / interval, deviation**2 / share)
-            pairs = zip(tests, residuals, strict=True)
-            own = [(t, r[channel]) for t, r in pairs if t.log.interval == interval]
-            shown = _estimate_white_of_means(channel, own, SETTLED_PHASE / loop)
-            white[channel][interval] = min(math.sqrt(deviation**2 + hidden), max(deviation, shown))
+    white |= _add_hidden_force_noise(nominal, tests, residuals, white)
     return CampaignNoise(
         build_angle_noise(nominal),
         white,
@@ -187,6 +173,34 @@ def _refer_to_nominal_amplitude(
     """A test's residuals with white noise as large as at nominal amplitude (Eq. 17a)."""
     growth = {name: test.noise_growth.get(name, 1.0) for name in residual if name != "amplitude"}
     return {name: values / growth.get(name, 1.0) for name, values in residual.items()}
+
+
+def _add_hidden_force_noise(
+    nominal: Device,
+    tests: Sequence[ObservedTest],
+    residuals: Sequence[Mapping[str, Array]],
+    white: Mapping[str, Mapping[float, float]],
+) -> dict[str, dict[float, float]]:
+    """Standard deviations of a row of each force by row length, with the noise that its loop keeps
+    from second differences of short rows (Eq. 23), but no more than means of rows show."""
+    density = (2 * nominal.bryan_factor * nominal.angle_random_walk) ** 2
+    loops = {
+        "amplitude_force": nominal.amplitude_loop,
+        "quadrature_force": nominal.quadrature_loop,
+    }
+    complete = {channel: dict(white[channel]) for channel in loops}
+    for channel, loop in loops.items():
+        for interval, deviation in white[channel].items():
+            share = compute_visible_share(interval, loop)
+            if share >= 1:
+                continue
+            hidden = (1 - share) * min(density / interval, deviation**2 / share)
+            pairs = zip(tests, residuals, strict=True)
+            own = [(t, r[channel]) for t, r in pairs if t.log.interval == interval]
+            shown = _estimate_white_of_means(channel, own, SETTLED_PHASE / loop)
+            allowed = math.sqrt(deviation**2 + hidden)
+            complete[channel][interval] = min(allowed, max(deviation, shown))
+    return complete
 
 
 def compute_visible_share(interval: float, natural_frequency: float) -> float:

@@ -13,6 +13,7 @@ from ins_eval.study.witness.judge import (
     PREDICTORS,
     R2,
     SHUFFLED,
+    WORST,
     WitnessScore,
     list_figures,
     score_witnesses,
@@ -36,6 +37,8 @@ def scores() -> list[WitnessScore]:
             "by_bench": flown,
             "by_channels": flown - told,
             "by_self_test": np.full_like(flown, np.nan),
+            "by_bound": flown - told,
+            "by_true": np.full_like(flown, 1.0),
         }
         table = {f"{k}_{a}_m": v[:, i] for k, v in errors.items() for i, a in enumerate(AXES)}
         size = {"told": told, "bound": told, "true": flown, "known": flown[::-1]}
@@ -64,6 +67,9 @@ def test_scores_are_what_was_made(scores: list[WitnessScore]) -> None:
     assert select(scores, R2, "known").high < 0.5
     assert select(scores, CORRECTED, "by_channels").value == pytest.approx(0.1, abs=0.03)
     assert select(scores, CORRECTED, "by_bench").value == pytest.approx(1.0)
+    assert select(scores, WORST, "by_bench").value == pytest.approx(1.0)
+    assert select(scores, WORST, "by_true").value < 0.01
+    assert 0.1 < select(scores, WORST, "by_channels").value < 0.5
     coverage = select(scores, COVERAGE, "told")
     assert coverage.low < 0.9 < coverage.high
     assert select(scores, NEES, "told").value == pytest.approx(1.0)

@@ -22,6 +22,7 @@ COVERAGE = "coverage"
 CORRECTED = "corrected_over_flown"
 WORST = "worst_tenth"
 NEES = "nees"
+POSITION_NEES = "position_nees"
 PREDICTORS = {
     "known": "maps known from the bench",
     "told": "maps told by the channels",
@@ -46,7 +47,8 @@ class WitnessScore:
         self_test_s: duration of the self-test at power-on.
         score: `R2` of the horizontal error, `COVERAGE` of the intervals, `CORRECTED` median error
             over that of the uncorrected flights, `WORST` 90th percentile of that ratio flight by
-            flight, or `NEES` over its degrees of freedom.
+            flight, `NEES` of the told changes over its degrees of freedom, or `POSITION_NEES` of
+            the position error that the told maps make beside that of the true ones, likewise.
         of: key of `PREDICTORS` or `CORRECTIONS`, or `SHUFFLED`.
         low, high: interval of 95 %.
         n: number of triads.
@@ -106,6 +108,8 @@ def _score(group: FlightGroup, seed: int) -> Iterator[tuple[str, str, Estimate]]
     yield CORRECTED, SHUFFLED, shuffle_devices(correct, by_bench, [added], seed)
     squares, degrees = group.select("squares"), group.select("degrees")
     yield NEES, "told", estimate(_compute_nees, squares, degrees)
+    position = group.select("position_square")
+    yield POSITION_NEES, "told", estimate(_compute_nees, position, np.full_like(position, 2.0))
 
 
 def compute_size_ratio(flown: Array, corrected: Array) -> Array:

@@ -68,6 +68,10 @@ def tabulate_witnesses(
                 f"{key}_{name}_m": prediction.radius(share)[:, 0] for name, share in ends.items()
             }
         columns |= {name: here[name].sum(axis=1) for name in ("squares", "degrees")}
+        missed = here["told"] - true.expected[:, 0]
+        columns["position_square"] = np.einsum(
+            "ri,rij,rj->r", missed, np.linalg.inv(here["told_covariance"]), missed
+        )
         columns["smallest_p"] = here["p_values"].min(axis=1)
         tables.append(pd.DataFrame(columns))
     return pd.concat(tables, ignore_index=True)

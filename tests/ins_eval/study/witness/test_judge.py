@@ -10,6 +10,7 @@ from ins_eval.study.witness.judge import (
     CORRECTIONS,
     COVERAGE,
     NEES,
+    POSITION_NEES,
     PREDICTORS,
     R2,
     SHUFFLED,
@@ -46,6 +47,7 @@ def scores() -> list[WitnessScore]:
             radial = np.linalg.norm(vector, axis=-1)
             ends = {"low": radial - 165, "median": radial, "high": radial + 165}
             table |= {f"{key}_{end}_m": values for end, values in ends.items()}
+        table["position_square"] = np.square((told - flown) / 100.0).sum(axis=1)
         table |= {"squares": np.full(TRIADS, 48.0), "degrees": np.full(TRIADS, 48.0)}
         rows = pd.DataFrame(table).assign(mission_class=name, mission=name)
         tables.append(rows.assign(triad=range(TRIADS), calibration="map", self_test_s=0.0))
@@ -73,6 +75,8 @@ def test_scores_are_what_was_made(scores: list[WitnessScore]) -> None:
     coverage = select(scores, COVERAGE, "told")
     assert coverage.low < 0.9 < coverage.high
     assert select(scores, NEES, "told").value == pytest.approx(1.0)
+    position = select(scores, POSITION_NEES, "told")
+    assert position.low < 1.0 < position.high
 
 
 def test_another_triads_channels_gain_nothing(scores: list[WitnessScore]) -> None:

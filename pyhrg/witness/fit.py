@@ -28,8 +28,8 @@ FOLLOWED_ANGLE = 1e-9
 of 1 mHz makes of it a quadrature force of 1e-11 1/s, a tenth of what an angle random walk of 1e-4
 deg/sqrt(h) leaves of the force in two hours."""
 COARSE_ANGLE = 1e-6
-"""The same in the first stage, whose estimate is only a start, rad. Chosen: a tenth of what the
-first changes make of the map in two hours."""
+"""Rms error of the angles at which the first stage's course is followed, rad. Chosen: its estimate
+is only a start, a hundred sigmas off by linearity."""
 ROUNDS = 3
 """Number of times that each stage filters its rows, the later ones less what linearity missed.
 Chosen: stages are then three at most and mostly two."""

@@ -19,7 +19,7 @@ from pyhrg.witness.responses import FORCES, Responses, measure_channels, measure
 
 STAGES = 6
 """Largest number of times that the gyro is replayed and its sensitivities are taken, with the
-changes of the time before. Chosen: three are usual."""
+changes of the time before. Chosen: two or three are usual."""
 CONVERGENCE_CHI2 = 1.0
 """The fit has converged when a stage moves no gyro's changes by more than this, as a normalised
 square. Chosen."""

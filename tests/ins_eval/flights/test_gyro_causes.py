@@ -99,9 +99,9 @@ def test_a_line_stays_when_another_key_is_zeroed() -> None:
     np.testing.assert_allclose(found[1], found[0], atol=1e-3 * float(np.max(np.abs(found[0]))))
 
 
-def test_what_no_key_states(fmu: GyroFmu) -> None:
+def test_what_no_key_states() -> None:
     """Misaligned gyros without another error: the closed forms; the sum is the FMU's."""
-    gyros = FmuGyros(Device(), calibrated=False, fmu=fmu)
+    gyros = FmuGyros(Device(), calibrated=False)
     imu = Imu(gyros=gyros, interval=0.05, mounting_deviation=20 * ARCSEC)
     truth = sample_truth(FROM_TRUTH, load_trajectory("weaving", 900.0))
     (seed,) = spawn_seeds(FROM_TRUTH.seed, 1)

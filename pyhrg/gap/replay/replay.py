@@ -232,16 +232,22 @@ def _find_slopes(readings: Array, interval: float) -> Array:
 def list_read_out_fields(log: Log) -> tuple[str, ...]:
     """Fields of a device that change what a recorder reads of this test, and not what the gyro
     does. A pattern that is turned by command starts elsewhere if its angle was read later."""
-    return ("frequency_error", *(() if log.virtual_rotation.any() else CLOCK_FIELDS))
+    clock = () if log.virtual_rotation.any() else CLOCK_FIELDS
+    return ("frequency_error", "amplitude_latency", *clock)
 
 
 def read_change(rows: Mapping[str, Array], old: Device, new: Device, log: Log) -> dict[str, Array]:
     """(n,) by field of a log: what another recorder makes of the same outputs. It reads angles
-    later, and counts the frequency from another one (docs/methods/replay.md, "Frequency")."""
+    or the amplitude later, and counts the frequency from another one (docs/methods/replay.md,
+    "Rows that are compared")."""
     late = new.clock_latency - old.clock_latency + (new.clock_rate - old.clock_rate) * log.time
     change = {name: np.zeros(len(log.time)) for name in rows}
     for name in ANGLES if late.any() else ():
         change[name] = late * np.gradient(rows[name], log.interval)
+    later = new.amplitude_latency - old.amplitude_latency
+    if later:  # the slope before the reading, as the drive may go off at the row's end
+        change["amplitude"] = later * np.diff(rows["amplitude"], prepend=rows["amplitude"][0])
+        change["amplitude"] /= log.interval
     detuned = (rows["frequency_offset"] - old.frequency_error) / (
         old.frequency_error + new.frequency
     )

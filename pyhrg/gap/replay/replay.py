@@ -91,6 +91,13 @@ def prepare_inputs(log: Log, nominal: Device) -> ReplayInputs:
     )
 
 
+def settle_inputs(inputs: ReplayInputs, nominal: Device) -> ReplayInputs:
+    """Inputs of a log of a campaign in which some resonator had settled before its log began: where
+    this frequency shows the same, however close the temperature is to the reference."""
+    log, temperatures = inputs.log, inputs.temperatures
+    return replace(inputs, is_soaked=is_soaked(log, temperatures, nominal, least_departure=0.0))
+
+
 def list_measured_temperatures(log: Log) -> Array:
     """(m,) readings of the thermometer, K, without those of missing rows, which were filled in."""
     return np.asarray(log.temperature[np.isfinite(log.gyro_angle)])

@@ -55,8 +55,7 @@ def prepare_campaign(campaign: Campaign, simulation: Simulation) -> Preparation:
     noise = estimate_reading_noise([t.log for t in started if not t.is_holdout])
     excluded += (*notes, *describe_reading_noise(noise))
     observed = [_complete_test(simulation, nominal, test, noise) for test in observed]
-    soaked = [t.test for t in observed if t.inputs.is_soaked]
-    excluded += tuple(SOAKED.format(t.id, t.log.temperature[0] - ZERO_CELSIUS) for t in soaked)
+    excluded += _describe_soaked(observed)
     tests = list(add_noise_growth(observed, nominal))
     tests.sort(key=lambda test: test.test.is_holdout)
     return Preparation(nominal, tests, excluded, (*faults, *list_reading_faults(noise)))
@@ -69,12 +68,14 @@ def describe_preparation(campaign: Campaign) -> str:
         nominal, started, excluded, _ = _select_tests(campaign)
     except CampaignError as error:
         return refusal.format(error)
+    observed = observe_tests(started, nominal)
+    excluded += _describe_soaked(observed)
     text = "a diagnosis would use all of it"
     if excluded:
         sentences = "\n".join(f"  {sentence}" for sentence in merge_sources(excluded))
         text = f"a diagnosis would leave out, or take for granted:\n{sentences}"
     try:
-        require_noise(nominal, observe_tests([t for t in started if not t.is_holdout], nominal))
+        require_noise(nominal, [t for t in observed if not t.test.is_holdout])
     except CampaignError as error:
         text += "\n" + refusal.format(error)
     return text
@@ -100,6 +101,12 @@ def observe_tests(tests: Sequence[Test], nominal: Device) -> list[ObservedTest]:
     if not any(test.inputs.is_soaked for test in observed):
         return observed
     return [replace(test, inputs=settle_inputs(test.inputs, nominal)) for test in observed]
+
+
+def _describe_soaked(observed: list[ObservedTest]) -> tuple[str, ...]:
+    """A sentence on each test whose log begins with a resonator at the case's temperature."""
+    tests = [t.test for t in observed if t.inputs.is_soaked]
+    return tuple(SOAKED.format(t.id, t.log.temperature[0] - ZERO_CELSIUS) for t in tests)
 
 
 def _complete_test(

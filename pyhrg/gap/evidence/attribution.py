@@ -145,7 +145,6 @@ class _Iteration:
     _error_limit: upper limit of the next one.
     _visited_sets: most probable set of each round so far.
     _compared_groups: set of effects for which the noises were compared last.
-    _near: last hypothesis, where it was exact and moved the gyro little.
     """
 
     def __init__(
@@ -162,7 +161,6 @@ class _Iteration:
         self._linearization_error = self._error_limit = math.inf
         self._visited_sets: list[frozenset[Group]] = []
         self._compared_groups: tuple[Group, ...] | None = None
-        self._near: Hypothesis | None = None
         self.device = nominal
         self.noise = NoiseHypothesis(build_angle_noise(nominal), ())
         self.parts: list[LinearTest] = []
@@ -226,17 +224,14 @@ class _Iteration:
             self.posterior = compare_noises(hypothesis, nominal, parts, self._catalogue.noises)
             is_near = self.step_length(hypothesis) < LINEAR_DISTANCE
             self._compared_groups = self.posterior.best.ranking.best.groups if is_near else None
-        best = self.posterior.best
-        is_exact = not self._linearization_error
-        self._near = best if is_exact and self.step_length(best) < LINEAR_DISTANCE else None
-        return best
+        return self.posterior.best
 
     def _rank(self) -> Hypothesis:
         """Sets under the present noise, at last beside the forms that terms may have."""
         nominal, parts, error = self._nominal, self.parts, self._linearization_error
         if error:
             return rank_under_noise(self.noise, nominal, parts, error)
-        return rank_with_forms(self.noise, nominal, parts, self._near)
+        return rank_with_forms(self.noise, nominal, parts)
 
     def _allow_linearization_error(self, chi2: float, hypothesis: Hypothesis) -> None:
         """Allow this error. Where the search returns to a set that it had left, it may alternate

@@ -1,5 +1,7 @@
 """From a campaign to what a diagnosis works on: the nominal device and the tests that are used."""
 
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 from pyhrg.common.units import ZERO_CELSIUS
@@ -13,7 +15,7 @@ from pyhrg.gap.replay.reading_noise import (
     describe_reading_noise,
     estimate_reading_noise,
 )
-from pyhrg.gap.replay.replay import has_start_angle
+from pyhrg.gap.replay.replay import has_start_angle, settle_inputs
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.gap.soundness import nominal_device, screen_campaign
 from pyhrg.gap.soundness.fault import Fault, list_reading_faults
@@ -47,11 +49,12 @@ def prepare_campaign(campaign: Campaign, simulation: Simulation) -> Preparation:
         CampaignError: no test can be fitted.
     """
     nominal, started, excluded, faults = _select_tests(campaign)
-    to_fit = [observe_test(test, nominal) for test in started if not test.is_holdout]
+    observed = observe_tests(started, nominal)
+    to_fit = [test for test in observed if not test.test.is_holdout]
     nominal, notes = complete_stated_noise(simulation, nominal, to_fit)
     noise = estimate_reading_noise([t.log for t in started if not t.is_holdout])
     excluded += (*notes, *describe_reading_noise(noise))
-    observed = [_observe_test(simulation, nominal, test, noise) for test in started]
+    observed = [_complete_test(simulation, nominal, test, noise) for test in observed]
     excluded += _describe_soaked(observed)
     tests = list(add_noise_growth(observed, nominal))
     tests.sort(key=lambda test: test.test.is_holdout)
@@ -65,7 +68,7 @@ def describe_preparation(campaign: Campaign) -> str:
         nominal, started, excluded, _ = _select_tests(campaign)
     except CampaignError as error:
         return refusal.format(error)
-    observed = [observe_test(test, nominal) for test in started]
+    observed = observe_tests(started, nominal)
     excluded += _describe_soaked(observed)
     text = "a diagnosis would use all of it"
     if excluded:
@@ -91,17 +94,27 @@ def _select_tests(
     return nominal_device(usable), started, excluded, faults
 
 
+def observe_tests(tests: Sequence[Test], nominal: Device) -> list[ObservedTest]:
+    """What each test has to compare. Where one begins with a settled resonator, all may: a
+    laboratory that waits before one log waits before others."""
+    observed = [observe_test(test, nominal) for test in tests]
+    if not any(test.inputs.is_soaked for test in observed):
+        return observed
+    return [replace(test, inputs=settle_inputs(test.inputs, nominal)) for test in observed]
+
+
 def _describe_soaked(observed: list[ObservedTest]) -> tuple[str, ...]:
     """A sentence on each test whose log begins with a resonator at the case's temperature."""
     tests = [t.test for t in observed if t.inputs.is_soaked]
     return tuple(SOAKED.format(t.id, t.log.temperature[0] - ZERO_CELSIUS) for t in tests)
 
 
-def _observe_test(
-    simulation: Simulation, nominal: Device, test: Test, noise: ReadingNoise
+def _complete_test(
+    simulation: Simulation, nominal: Device, test: ObservedTest, noise: ReadingNoise
 ) -> ObservedTest:
-    """What a test has to compare, with the noise of the bench's readings."""
-    observed = truncate_free_pattern(simulation, nominal, observe_test(test, nominal))
+    """A test without rows of a free pattern that grew, and with the noise of the bench's
+    readings."""
+    observed = truncate_free_pattern(simulation, nominal, test)
     if noise == ReadingNoise():
         return observed
     by_pattern = simulation.differentiate_by_angle(nominal, observed).slopes

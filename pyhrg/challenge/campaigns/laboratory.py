@@ -79,6 +79,7 @@ class Laboratory:
             frequency_offset=log.frequency_offset + of["frequency_error"],
             gyro_angle=_read_late(log.gyro_angle, log.time, late),
             wave_angle=_read_late(log.wave_angle, log.time, late),
+            amplitude=_read_late(log.amplitude, log.time, of["amplitude_latency"]),
         )
 
     def record(self, log: Log, generator: np.random.Generator) -> Log:
@@ -140,6 +141,6 @@ def _follow(series: Array, interval: float, lag: float) -> Array:
     return np.asarray(series - behind)
 
 
-def _read_late(angle: Array, time: Array, late: Array) -> Array:
-    """(n,) an angle read later than at the rows' ends; the last rate goes on."""
-    return np.asarray(angle + late * np.gradient(angle, time))
+def _read_late(values: Array, time: Array, late: Array | float) -> Array:
+    """(n,) values read later, s, than the rows have them; the last rate goes on."""
+    return np.asarray(values + late * np.gradient(values, time))

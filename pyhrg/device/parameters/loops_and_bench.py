@@ -240,6 +240,12 @@ class LoopAndBenchParameters(ResonatorParameters):
         tolerance=ToleranceDeclaration("clock_rate", "record", 10 * PPM, 1 * PPM),
     )
     """Growth of `clock_latency` with the time since power-on, s/s."""
+    amplitude_latency: float = parameter(
+        key="amplitude_latency_s",
+        limits=(-1, 1),
+        tolerance=ToleranceDeclaration("amplitude_latency", "record", 1e-4, 1e-5),
+    )
+    """Time by which the amplitude is read later than one control period before a row's end, s."""
     table_tilt_east: float = parameter(
         key="table_axis_tilt_east_deg",
         unit=DEG,

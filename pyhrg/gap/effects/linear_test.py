@@ -16,6 +16,7 @@ from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.simulation import compute_carrier_terms
+from pyhrg.gap.soundness.origin import is_origin_set
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, compute_temperature_slopes
 from pyhrg.gap.whitening.whitening import WhitenedSeries, whiten
 
@@ -96,7 +97,7 @@ class LinearTest:
         kelvin = lag * (lag + interval) / 2 / device.thermal_lag * bend
         for channel, slope in compute_temperature_slopes(device).items():
             shapes[channel] = shapes[channel] + slope * kelvin
-        if self._begins_elsewhere():
+        if is_origin_set(self.test.test.log, self.device.site) or self._begins_elsewhere():
             origin = shape_origin(self.bryan_factor, self.slopes["gyro_angle"])
             shapes["gyro_angle"] = MAX_ORIGIN * origin
         return shapes

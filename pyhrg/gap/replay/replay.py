@@ -91,6 +91,13 @@ def prepare_inputs(log: Log, nominal: Device) -> ReplayInputs:
     )
 
 
+def settle_inputs(inputs: ReplayInputs, nominal: Device) -> ReplayInputs:
+    """Inputs of a log of a campaign in which some resonator had settled before its log began: where
+    this frequency shows the same, however close the temperature is to the reference."""
+    log, temperatures = inputs.log, inputs.temperatures
+    return replace(inputs, is_soaked=is_soaked(log, temperatures, nominal, least_departure=0.0))
+
+
 def list_measured_temperatures(log: Log) -> Array:
     """(m,) readings of the thermometer, K, without those of missing rows, which were filled in."""
     return np.asarray(log.temperature[np.isfinite(log.gyro_angle)])
@@ -232,16 +239,22 @@ def _find_slopes(readings: Array, interval: float) -> Array:
 def list_read_out_fields(log: Log) -> tuple[str, ...]:
     """Fields of a device that change what a recorder reads of this test, and not what the gyro
     does. A pattern that is turned by command starts elsewhere if its angle was read later."""
-    return ("frequency_error", *(() if log.virtual_rotation.any() else CLOCK_FIELDS))
+    clock = () if log.virtual_rotation.any() else CLOCK_FIELDS
+    return ("frequency_error", "amplitude_latency", *clock)
 
 
 def read_change(rows: Mapping[str, Array], old: Device, new: Device, log: Log) -> dict[str, Array]:
     """(n,) by field of a log: what another recorder makes of the same outputs. It reads angles
-    later, and counts the frequency from another one (docs/methods/replay.md, "Frequency")."""
+    or the amplitude later, and counts the frequency from another one (docs/methods/replay.md,
+    "Rows that are compared")."""
     late = new.clock_latency - old.clock_latency + (new.clock_rate - old.clock_rate) * log.time
     change = {name: np.zeros(len(log.time)) for name in rows}
     for name in ANGLES if late.any() else ():
         change[name] = late * np.gradient(rows[name], log.interval)
+    later = new.amplitude_latency - old.amplitude_latency
+    if later:  # the slope before the reading, as the drive may go off at the row's end
+        change["amplitude"] = later * np.diff(rows["amplitude"], prepend=rows["amplitude"][0])
+        change["amplitude"] /= log.interval
     detuned = (rows["frequency_offset"] - old.frequency_error) / (
         old.frequency_error + new.frequency
     )

@@ -26,13 +26,16 @@ def find_lag(readings: Array, interval: float, lag: float) -> Array:
     return np.asarray(lfilter([lag * (1 - kept)], [1.0, -kept], slopes))
 
 
-def is_soaked(log: Log, temperatures: Array, nominal: Device) -> bool:
+def is_soaked(
+    log: Log, temperatures: Array, nominal: Device, least_departure: float = MIN_DEPARTURE
+) -> bool:
     """Whether the loop frequency shows a resonator that was at the case's temperature when the log
     began, and not at the reference temperature. The temperatures are (n + 1,) of the case at the
-    rows' bounds, K (docs/methods/replay.md, "Start temperature")."""
+    rows' bounds, K; where the first departs by less than the least departure, the log says nothing
+    (docs/methods/replay.md, "Start temperature")."""
     departure = float(temperatures[0]) - nominal.reference_temperature
     rows = np.isfinite(log.frequency_offset) & (log.drive_on > 0)
-    if abs(departure) < MIN_DEPARTURE or not rows.any():
+    if abs(departure) < least_departure or not rows.any():
         return False
     settled = temperatures[1:] - find_lag(temperatures, log.interval, nominal.thermal_lag)[1:]
     cold = settled - departure * np.exp(-log.time / nominal.thermal_lag)

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -118,6 +119,9 @@ def _import_test(test: TestMapping, mapping: CampaignMapping) -> ImportedTest:
     read = build_log(table, interval, mapping.site.latitude)
     if test.rows is not None:
         read = join_rows(read, test.rows)
+        joined: dict[str, Any] = {c.field: getattr(read, c.field) for c in COLUMNS}
+        _align_origin(test, joined, mapping.site)
+        read = replace(read, **joined)
         return ImportedTest(test, replace(read, exclusions=()), read)
     return ImportedTest(test, Log(cells.source, interval, exclusions=(), **columns), read)
 
@@ -137,7 +141,7 @@ def _align_origin(test: TestMapping, columns: dict[str, Array], site: Site) -> l
     up = float(np.nan_to_num(columns["axis_up"][first]))
     turn = float(inputs[first] + site.compute_earth_rate(up) * time)
     if gyro.from_zero:
-        columns["gyro_angle"] = angle + turn
+        columns["gyro_angle"] = angle - angle[first] + turn
         return []
     beside = float(angle[first]) - turn
     if not (table and table.from_zero and abs(beside) > TURNING_RATE * time):

@@ -42,12 +42,12 @@ def refine_terms(
     simulation: Simulation, attribution: Attribution, noises: Sequence[NoiseEffect]
 ) -> Attribution:
     """Repeat the search around the device with the written terms of its most probable set, until
-    the terms stay. A search that did not converge is left as it is, as is one without terms."""
+    the terms stay, then compare noises. A search that did not converge is left as it is, as is one
+    without terms."""
     first = attribution.parts
     without: dict[int, ChannelValues] = {}
-    for _ in range(MAX_ROUNDS):
-        groups = attribution.ranking.best.groups
-        if not attribution.settled or not any(isinstance(g, CandidateTerm) for g in groups):
+    for number in range(1, MAX_ROUNDS + 1):
+        if not attribution.settled or not _has_terms(attribution.posterior):
             break
         sizes, parts = _list_curved(attribution.posterior), list(first)
         if sizes:
@@ -61,10 +61,19 @@ def refine_terms(
             on, off = replay_sampled(fmu, part.device, part.test.inputs), without[i]
             answers = add_channels(part.simulated, {name: on[name] - off[name] for name in off})
             parts[i] = _linearize(simulation, attribution.nominal, part, answers, sizes)
-        attribution = _search_around(attribution, tuple(parts), noises)
-        if _have_converged(attribution.posterior, sizes):
+        posterior = _search_around(attribution, parts)
+        has_converged = _have_converged(posterior, sizes)
+        if has_converged or number == MAX_ROUNDS or not _has_terms(posterior):
+            posterior = compare_noises(posterior.best, attribution.nominal, parts, noises)
+            has_converged = _have_converged(posterior, sizes)
+        attribution = replace(attribution, parts=tuple(parts), posterior=posterior)
+        if has_converged:
             break
     return attribution
+
+
+def _has_terms(posterior: Posterior) -> bool:
+    return any(isinstance(group, CandidateTerm) for group in posterior.best.ranking.best.groups)
 
 
 def list_sizes(posterior: Posterior) -> dict[CandidateTerm, Array]:
@@ -94,14 +103,11 @@ def find_moved_tests(parts: Sequence[LinearTest], sizes: Sizes, noise: CampaignN
     return [i for i, part in enumerate(parts) if measure(part) >= NEGLIGIBLE_CHI2]
 
 
-def _search_around(
-    attribution: Attribution, parts: tuple[LinearTest, ...], noises: Sequence[NoiseEffect]
-) -> Attribution:
-    """The search with newly linearized tests."""
-    nominal, best = attribution.nominal, attribution.posterior.best
-    first = rank_with_forms(best.noise, nominal, parts, best)
-    posterior = compare_noises(first, nominal, parts, noises)
-    return replace(attribution, parts=parts, posterior=posterior)
+def _search_around(attribution: Attribution, parts: Sequence[LinearTest]) -> Posterior:
+    """The search with newly linearized tests, under the present noise."""
+    best = attribution.posterior.best
+    found = rank_with_forms(best.noise, attribution.nominal, parts, best)
+    return Posterior((found,), (1.0,))
 
 
 def _linearize(

@@ -19,6 +19,9 @@ LEVEL_TOLERANCE = 0.02
 which a stated level is known."""
 GRID_LEVELS = 13
 """Levels over the range that are tried before the maximum is refined: two per decade. Chosen."""
+MAX_DROP = 50.0
+"""Fall of the log density below its largest value at which no higher level is tried. Chosen: by
+then it falls with the logarithm of the level, once for each row."""
 LEVEL_PRECISION = 0.01
 """Precision of the logarithm of the most probable level. Chosen."""
 CURVATURE_STEP = 0.1
@@ -70,7 +73,11 @@ def fit_level(gain: Callable[[float], float], scale: float) -> Level:
     the level's logarithm."""
     low, high = (math.log(scale * end) for end in LEVEL_RANGE)
     grid = np.linspace(low, high, GRID_LEVELS)
-    values = [gain(x) for x in grid]
+    values: list[float] = []
+    for x in grid:
+        values.append(gain(x))
+        if values[-1] < max(values) - MAX_DROP:
+            break
     top = int(np.argmax(values))
     if top == 0:  # the less of it the better
         return Level(low, values[0], high - low)

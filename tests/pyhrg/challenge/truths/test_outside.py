@@ -30,6 +30,7 @@ BENCH_AND_RECORD = (
     *("thermometer_offset", "thermometer_lag", "thermometer_gain", "encoder_eccentricity"),
     *("encoder_noise", "table_ripple", "table_axis_tilt", "site_latitude", "mounting_sign"),
     *("drive_interruption", "clock_rate", "clock_latency", "time_jitter", "lost_rows", "outliers"),
+    "amplitude_latency",
 )
 """Names of the record format beside those of the effects."""
 COMPARED = (

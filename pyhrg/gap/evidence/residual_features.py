@@ -16,6 +16,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.gap.evidence.evidence import HALF_UNNAMED_ODDS, log_evidence
 from pyhrg.gap.evidence.noise.noise_posterior import TOLERANCE
 from pyhrg.gap.evidence.residuals import Residual
+from pyhrg.gap.replay.observations import CHANNEL_WORDS
 
 MIN_READINGS = 16
 """Readings that a stretch must have. Chosen."""
@@ -88,7 +89,7 @@ def _lines(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
             period = size * interval / (first + int(np.argmax(score)))
             where = alike[tests[0]].test if len(tests) == 1 else f"{len(tests)} tests"
             yield ResidualFeature(
-                f"periodic in {period:.4g} s in {where} ({channel})",
+                f"periodic in {period:.4g} s in {where} ({CHANNEL_WORDS[channel]})",
                 float(logsumexp(score)) - math.log(len(score)),
             )
 
@@ -125,7 +126,7 @@ def _stretches(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
                 score = _log_evidence_of_level(level, length, information)
                 first = r.times[begins[int(np.argmax(score))] * rows]
                 yield ResidualFeature(
-                    f"noise of its own in {r.test} from {first:.0f} s ({r.channel})",
+                    f"noise of its own in {r.test} from {first:.0f} s ({CHANNEL_WORDS[r.channel]})",
                     float(logsumexp(score)) - math.log(len(score)),
                 )
                 length //= 2

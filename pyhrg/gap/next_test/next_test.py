@@ -255,7 +255,7 @@ def _why(order: Sequence[Separation], pairs: Sequence[Pair], hypotheses: Sequenc
     ]
     separations = [
         f"{_words(hypotheses[i], hypotheses[j])} by {best.sigmas[i, j]:.2g} sigma "
-        f"({second.kind} by {second.sigmas[i, j]:.2g})"
+        f"({second.kind.replace('_', ' ')} by {second.sigmas[i, j]:.2g})"
         for i, j in hardest
     ]
     return f"one hour of it separates {'; '.join(separations)}"

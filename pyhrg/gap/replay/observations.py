@@ -16,13 +16,14 @@ from pyhrg.records.campaign import Test
 
 Mask = NDArray[np.bool_]
 
-CHANNELS = (
-    "gyro_angle",
-    "amplitude",
-    "amplitude_force",
-    "quadrature_force",
-    "frequency_offset",
-)
+CHANNEL_WORDS = {
+    "gyro_angle": "output angle",
+    "amplitude": "amplitude",
+    "amplitude_force": "amplitude force",
+    "quadrature_force": "quadrature force",
+    "frequency_offset": "loop frequency",
+}
+CHANNELS = tuple(CHANNEL_WORDS)
 """Fields of a log that are compared. The wave angle is not: the output angle follows from it."""
 LOOP_COMMANDS = ("drive_on", "virtual_rotation", "amplitude_setpoint", "phase_offset")
 """Commands whose change puts the loops, and through them the pattern, into a transient."""

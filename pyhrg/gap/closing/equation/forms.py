@@ -12,6 +12,8 @@ from typing import NamedTuple
 from pyhrg.common.units import DEG
 from pyhrg.gap.effects.candidate_terms import HYSTERESIS_WIDTHS, THERMAL_LAGS, CandidateTerm
 
+FIRST_POWERS = {"temperature": "temperature^1", "time": "time since power-on"}
+"""Functions by their names as the second of a product, where these differ."""
 TERM_SCALE = 10.0
 """Temperature, K, and specific force, m/s^2, over which candidate terms are taken."""
 
@@ -133,7 +135,7 @@ def _rate_power(words: str) -> int:
 
 def _multiply(match: Match) -> tuple[Basis, ...]:
     """Basis functions times that of a second function."""
-    words = {"temperature": "temperature^1"}.get(match[3], match[3])
+    words = FIRST_POWERS.get(match[3], match[3])
     (second,) = _express((match[2] or "") + words)
     return tuple(
         Basis(

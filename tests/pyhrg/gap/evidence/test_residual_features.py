@@ -53,7 +53,7 @@ def test_a_line_is_found_whatever_its_phase_in_each_test() -> None:
     series = [x + size * np.sin(2 * np.pi * (time / 17.3 + generator.random())) for x in steady(4)]
     line, stretch = found(series)
     assert line.log_odds > 5
-    match = re.fullmatch(r"periodic in (.*) s in 6 tests \(gyro_angle\)", line.words)
+    match = re.fullmatch(r"periodic in (.*) s in 6 tests \(output angle\)", line.words)
     assert match
     assert float(match[1]) == pytest.approx(17.3, abs=17.3**2 / ROWS / 2)
     assert stretch.log_odds < 0

@@ -52,8 +52,7 @@ def prepare_campaign(campaign: Campaign, simulation: Simulation) -> Preparation:
     noise = estimate_reading_noise([t.log for t in started if not t.is_holdout])
     excluded += (*notes, *describe_reading_noise(noise))
     observed = [_observe_test(simulation, nominal, test, noise) for test in started]
-    soaked = [t.test for t in observed if t.inputs.is_soaked]
-    excluded += tuple(SOAKED.format(t.id, t.log.temperature[0] - ZERO_CELSIUS) for t in soaked)
+    excluded += _describe_soaked(observed)
     tests = list(add_noise_growth(observed, nominal))
     tests.sort(key=lambda test: test.test.is_holdout)
     return Preparation(nominal, tests, excluded, (*faults, *list_reading_faults(noise)))
@@ -66,12 +65,14 @@ def describe_preparation(campaign: Campaign) -> str:
         nominal, started, excluded, _ = _select_tests(campaign)
     except CampaignError as error:
         return refusal.format(error)
+    observed = [observe_test(test, nominal) for test in started]
+    excluded += _describe_soaked(observed)
     text = "a diagnosis would use all of it"
     if excluded:
         sentences = "\n".join(f"  {sentence}" for sentence in merge_sources(excluded))
         text = f"a diagnosis would leave out, or take for granted:\n{sentences}"
     try:
-        require_noise(nominal, [observe_test(t, nominal) for t in started if not t.is_holdout])
+        require_noise(nominal, [t for t in observed if not t.test.is_holdout])
     except CampaignError as error:
         text += "\n" + refusal.format(error)
     return text
@@ -88,6 +89,12 @@ def _select_tests(
     if all(test.is_holdout for test in started):
         raise CampaignError("; ".join(["no test can be fitted to", *excluded]))
     return nominal_device(usable), started, excluded, faults
+
+
+def _describe_soaked(observed: list[ObservedTest]) -> tuple[str, ...]:
+    """A sentence on each test whose log begins with a resonator at the case's temperature."""
+    tests = [t.test for t in observed if t.inputs.is_soaked]
+    return tuple(SOAKED.format(t.id, t.log.temperature[0] - ZERO_CELSIUS) for t in tests)
 
 
 def _observe_test(

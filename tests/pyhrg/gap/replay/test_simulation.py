@@ -1,5 +1,6 @@
 """Replays of noise-free logs of the bench agree with the logs in every channel."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -7,10 +8,11 @@ import pytest
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.programme import Programme
-from pyhrg.common.units import DEG, DEG_PER_H, STANDARD_GRAVITY
+from pyhrg.common.units import DEG, DEG_PER_H, STANDARD_GRAVITY, ZERO_CELSIUS
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import EFFECTS
 from pyhrg.gap.effects.sensitivities import compute_sensitivities, linearize_test
+from pyhrg.gap.preparation import describe_preparation
 from pyhrg.gap.replay.free_pattern import truncate_free_pattern
 from pyhrg.gap.replay.loop_response import compute_loop_error, compute_loop_force
 from pyhrg.gap.replay.observations import (
@@ -23,7 +25,8 @@ from pyhrg.gap.replay.replay import estimate_start_angle
 from pyhrg.gap.replay.simulation import Simulation, replay_sampled
 from pyhrg.gap.whitening.channel_noise import REPLAY_RESOLUTION
 from pyhrg.records import COLUMNS
-from pyhrg.records.campaign import Test
+from pyhrg.records.campaign import Campaign, Test
+from tests.pyhrg.gap.bench import stated
 from tests.pyhrg.gap.soundness.conftest import NOMINAL
 from tests.pyhrg.records.made_up import made_up_log
 
@@ -159,6 +162,9 @@ def test_a_log_may_begin_with_a_settled_resonator(simulation: Simulation) -> Non
     answer = simulation.simulate(device, observed)["frequency_offset"]
     error = np.abs(later.log.frequency_offset - answer)[observed.rows["frequency_offset"]]
     assert error.max() < 10 * np.exp(-9) * device.frequency * device.frequency_per_kelvin
+    campaign = Campaign("made up", device.site, stated(device), (test, later))
+    (sentence,) = re.findall(r"\w+: the resonator had settled.*", describe_preparation(campaign))
+    assert sentence.startswith(f"later: the resonator had settled to {warm - ZERO_CELSIUS:.1f}")
     unknown = replace(later.log, frequency_offset=np.full(60, np.nan))
     assert not observe_test(Test("", "static", "fit", unknown), device).inputs.is_soaked
 

@@ -21,13 +21,11 @@ from pyhrg.gap.replay.observations import CHANNEL_WORDS, ObservedTest
 from pyhrg.gap.soundness.fault import TABLE_RIPPLES, FaultKind
 
 PATTERN_HARMONICS = range(1, 19)
-"""Harmonics of the pattern angle. Chosen: a cause that is no sine has multiples of its harmonic;
-what is missing here of a large one is read as other terms."""
+"""Harmonics of the pattern angle. Chosen: what is missing of a large cause looks like others."""
 TABLE_HARMONICS = (1, *TABLE_RIPPLES)
 """Harmonics of the table angle. Chosen."""
 RATE_HARMONICS = (1, 2, 4)
-"""Harmonics of the pattern angle that also appear in proportion to the rate, as loops follow the
-turning pattern. Chosen."""
+"""Harmonics of the pattern angle that also appear times the rate, as loops lag. Chosen."""
 TEMPERATURE_POWERS = (1, 2, 3)
 """Powers of the temperature. Chosen."""
 HYSTERESIS_WIDTHS = (2, 5, 10, 20)
@@ -106,8 +104,7 @@ class CandidateTerm:
 
     @property
     def fault(self) -> FaultKind | None:
-        """The fault of the bench that it is: a ripple of the table, which the encoder does not
-        show."""
+        """The fault of the bench that it is: a ripple of the table, unseen by its encoder."""
         return TABLE_RIPPLES.get(self.harmonic or 0) if self.is_encoder_error else None
 
 
@@ -211,8 +208,10 @@ def _generate_functions(where: Coordinates) -> Functions:
     time = where.test.log.time
     yield "time", "time since power-on", None, time / 3600
     for constant in WARM_UP_TIMES:
-        settling = np.exp(-time / constant)
-        yield "time", f"settling in {constant:g} s", None, settling
+        yield "time", f"settling in {constant:g} s", None, np.exp(-time / constant)
+    for period in where.test.periods:
+        cycle = make_harmonic(2 * math.pi * time / period)
+        yield "time", f"harmonic 1 of a period of {period:g} s", 1, cycle
     yield "time", EACH_POWER_ON, None, np.ones(len(time))
 
 

@@ -9,10 +9,11 @@ from fmu_build.equations.dependencies import trace_dependencies
 from fmu_build.equations.modelica import RealType, find_type, read_types
 
 TUNABLE = re.compile(
-    r"(.*\.)?controller\.((biasMap|scaleFactorMap|cancellation)\.\w+|quadratureSetpoint)"
+    r"(.*\.)?controller\.((biasMap|scaleFactorMap|cancellation)\.\w+"
+    r"|quadratureSetpoint|parametricShare|startUp\.\w+Tolerance)"
 )
-"""Names of the parameters that can be set while the gyro runs: calibrated compensations of the
-electronics, which act from the next tick on; no start value is made of them."""
+"""Names of the parameters that can be set while the gyro runs: calibrated compensations and
+settings of the electronics, which act from the next tick on; no start value is made of them."""
 
 
 SWITCHES = ("Units.Switch", "Inputs.Switch", "Outputs.Switch")

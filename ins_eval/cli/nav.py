@@ -23,7 +23,7 @@ def add_place_options(parser: argparse.ArgumentParser) -> None:
 
 
 HELP = "fly an IMU along a trajectory, and compute its position error and the causes"
-OF_SIMULATIONS = ("rate_hz", "seed", "runs")
+OF_SIMULATIONS = ("fmu", "rate_hz", "seed", "runs")
 OF_LOGS = ("errors_of", *PLACE)
 OF_BOTH = ("hours", "samples", "height", "align_s", "out", "force")
 
@@ -35,6 +35,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "recorded drive that begins with it")  # fmt: skip
     add("--imu", default="simple", metavar="NAME|FILE", help="ready IMU, IMU TOML, or recorded log "
         "(default simple)")  # fmt: skip
+    add("--fmu", type=Path, metavar="FILE", help="simulate the gyros by this FMU, with the "
+        "parameters of the IMU's device: of a class of your own that is or holds an HRG (hrg build "
+        "--class), or closed.fmu of a diagnosis")  # fmt: skip
     add("--errors-of", metavar="NAME|FILE", help="ready IMU or IMU TOML: the errors that alignment "
         "assumes of a log (default simple)")  # fmt: skip
     add("--out", type=Path, default=Path("hrg-nav"), metavar="DIR", help="output folder "

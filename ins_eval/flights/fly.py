@@ -34,6 +34,7 @@ def fly(
     trajectory: str = "car",
     imu: Imu | str = "simple",
     *,
+    fmu: Path | str | None = None,
     hours: float = 1.0,
     rate_hz: int | None = None,
     samples: int = 2,
@@ -50,6 +51,8 @@ def fly(
     Args:
         trajectory: ready mission, mission file (TOML) or recorded drive.
         imu: an IMU, a ready one's name or its file.
+        fmu: FMU of a class of one's own (`hrg build --class`) that simulates the gyros with the
+            parameters of the IMU's device; None simulates them by `HRG`.
         hours: duration of a flight, in whole minutes, up to 24.
         rate_hz: rate of the increments, 10 to 2000; the IMU's own if None.
         samples: increments a navigation step, 2 to 4.
@@ -68,7 +71,7 @@ def fly(
             failed alignment.
         OSError: `out` can't be written.
     """
-    loaded = load_imu_at_rate(imu, rate_hz)
+    loaded = load_imu_at_rate(imu, rate_hz, fmu)
     plan = plan_simulation(
         loaded.interval,
         hours=hours,

@@ -27,6 +27,8 @@ car."""
 MISALIGNMENT = "gyro misalignment (error_sigma_arcsec)"
 HELD_FORCES = "forces held for a control period (control_period_s)"
 """Name of what a gyro without any stated error has."""
+OWN_FMU = "own FMU (--fmu)"
+"""Name of what gyros of a user's FMU have beyond those of `HRGSlow` with the same parameters."""
 TOGETHER = "together"
 """Name of what the errors make together, beyond the sum of each."""
 ROUNDING = 1e-9
@@ -53,6 +55,8 @@ def replay_causes(
     beyond = whole - sum(parts.values())
     if np.max(np.abs(beyond)) > ROUNDING * np.max(np.abs(whole)):
         parts[TOGETHER] = beyond
+    if gyros.fmu is not None:
+        parts[OWN_FMU] = _measure_own_error(gyros, truth, coarse, mounting, seed) - whole
     signals = {name: mounting.decode(part) for name, part in parts.items()}
     if imu.mounting_deviation:
         turned = mounting.decode(mounting.project(coarse.rotation))
@@ -61,6 +65,17 @@ def replay_causes(
         name: Increments(coarse.interval, rotation, np.zeros_like(rotation), coarse.start)
         for name, rotation in signals.items()
     }
+
+
+def _measure_own_error(
+    gyros: FmuGyros, truth: Increments, coarse: Increments, mounting: Mounting, seed: int
+) -> Array:
+    """(n, 3) as `_Replay.measure_error`, of the gyros' own FMU; coarse: steps of the result."""
+    quiet = gyros.change(lambda device: replace(device.without_noise(), quantization_step=0.0))
+    drawn = replace(quiet, start_up=False).draw(np.random.default_rng(seed))
+    error = quiet.record(drawn, truth, mounting).rotation - mounting.project(truth.rotation)
+    fine = Increments(truth.interval, error, np.zeros_like(error), truth.start)
+    return sum_over_steps(fine, coarse.start, coarse.interval, len(coarse)).rotation
 
 
 @dataclass(frozen=True)

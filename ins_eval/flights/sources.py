@@ -17,6 +17,7 @@ from pyhrg.common.arguments import check_number, check_whole_number
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
+from pyhrg.fmu import load_own_fmu
 from pyhrg.records.imu.log import Increments, RecordedImu
 from pyhrg.records.imu.recorded import read_imu_log
 from pyhrg.records.imu.table_log import format_table
@@ -63,8 +64,9 @@ away is another one."""
 HIGHEST_LATITUDE_DEG = 89.0
 
 
-def load_imu_at_rate(imu: Imu | str, rate_hz: int | None) -> Imu:
-    """An IMU, a ready one or one from a file, at its own rate or another."""
+def load_imu_at_rate(imu: Imu | str, rate_hz: int | None, fmu: Path | str | None = None) -> Imu:
+    """An IMU, a ready one or one from a file, at its own rate or another; its gyros simulated by
+    `HRG` or a user's FMU."""
     name = imu.name if isinstance(imu, Imu) else imu
     loaded = imu if isinstance(imu, Imu) else load_imu(imu)
     if rate_hz is not None:
@@ -74,7 +76,24 @@ def load_imu_at_rate(imu: Imu | str, rate_hz: int | None) -> Imu:
             loaded.gyros.check_interval(loaded.interval)
         except HrgError as error:
             raise HrgError(f"{name}: {error}") from error
-    return loaded
+    return loaded if fmu is None else put_into_fmu(loaded, Path(fmu))
+
+
+def put_into_fmu(imu: Imu, file: Path) -> Imu:
+    """An IMU whose gyros are simulated by a user's FMU in place of `HRG`.
+
+    Raises:
+        HrgError: gyros that no FMU simulates, no FMU, or one without sampled control loops.
+    """
+    if not isinstance(imu.gyros, FmuGyros):
+        raise HrgError(
+            f"{imu.name}: found gyros of stated errors, expected [gyros] device for the parameters "
+            f"of {file.name}"
+        )
+    fmu = load_own_fmu(file)
+    if not fmu.is_sampled:
+        raise HrgError(f"{file}: found no sampled control loops, expected those of HRG")
+    return replace(imu, name=f"{imu.name} in {file.name}", gyros=replace(imu.gyros, fmu=fmu))
 
 
 def read_placed_record(

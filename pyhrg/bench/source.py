@@ -1,7 +1,6 @@
 """Where the records of a run come from: a simulated gyro, or a campaign."""
 
 import difflib
-import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field, replace
@@ -16,15 +15,11 @@ from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.reporting.progress import BenchProgress
 from pyhrg.bench.store import Store
 from pyhrg.common.arguments import choose_workers
-from pyhrg.common.caches.files import find_cache_folder
 from pyhrg.common.errors import HrgError
-from pyhrg.common.files import write_whole
 from pyhrg.common.made_by import digest_value, list_versions
-from pyhrg.common.reading.files import read_bytes
-from pyhrg.common.reading.limits import LOG_BYTES
 from pyhrg.device import device_file, ready_devices
 from pyhrg.device.device import Device
-from pyhrg.fmu import GyroFmu
+from pyhrg.fmu import GyroFmu, load_own_fmu
 from pyhrg.records import Log
 from pyhrg.records import campaign as campaigns
 from pyhrg.records.campaign import Campaign, Test
@@ -97,7 +92,7 @@ def prepare_simulation(
             str(device),
         )
     if fmu_file is not None:
-        fmus = dict.fromkeys({p.model for p in procedures}, _load_fmu(Path(fmu_file)))
+        fmus = dict.fromkeys({p.model for p in procedures}, load_own_fmu(Path(fmu_file)))
     else:
         fmus = _load_fmus(procedures, progress.say)
     _check_model_names(gyro, fmus, place)
@@ -164,15 +159,6 @@ def _load_fmus(procedures: Sequence[Procedure], say: Callable[[str], None]) -> d
         return GyroFmu(build_fmu(model, progress=lambda step: say(f"FMU {model}: {step}")))
 
     return {model: load(model) for model in sorted({p.model for p in procedures})}
-
-
-def _load_fmu(file: Path) -> GyroFmu:
-    """The FMU of a file, by way of the user's cache: it is extracted beside itself."""
-    data = read_bytes(file, LOG_BYTES)
-    path = find_cache_folder() / f"{hashlib.sha256(data).hexdigest()[:16]}-own" / file.name
-    path.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(path, data)
-    return GyroFmu(path)
 
 
 def _check_model_names(device: Device, fmus: Mapping[str, GyroFmu], source: str) -> None:

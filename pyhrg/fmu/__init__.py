@@ -5,10 +5,11 @@
 
 from pyhrg.fmu.archive import GyroError
 from pyhrg.fmu.gyro import Gyro
-from pyhrg.fmu.gyro_fmu import GyroFmu
+from pyhrg.fmu.gyro_fmu import GyroFmu, load_own_fmu
 from pyhrg.fmu.rows import COMMANDS, CONTROL_PERIOD
 from pyhrg.fmu.together import WIDE, record_together
 
 __all__ = [
-    "COMMANDS", "CONTROL_PERIOD", "WIDE", "Gyro", "GyroError", "GyroFmu", "record_together",
+    "COMMANDS", "CONTROL_PERIOD", "WIDE", "Gyro", "GyroError", "GyroFmu", "load_own_fmu",
+    "record_together",
 ]  # fmt: skip

@@ -44,6 +44,10 @@ class Archive:
         self.references: dict[str, int] = {n: v.valueReference for n, v in variables.items()}
         self.kinds: dict[str, str] = {n: v.type for n, v in variables.items()}
 
+    def __repr__(self) -> str:
+        """Name and digest of the archive: the same for the same bytes."""
+        return f"{type(self).__name__}({self.folder.name})"
+
     @property
     def is_sampled(self) -> bool:
         """Whether the control loops run once a control period; in the slow model they have settled

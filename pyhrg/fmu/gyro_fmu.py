@@ -1,5 +1,6 @@
 """The FMU of a gyro, ready to be switched on as often as asked."""
 
+import hashlib
 import threading
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -8,6 +9,10 @@ from typing import TypeVar
 
 import numpy as np
 
+from pyhrg.common.caches.files import find_cache_folder
+from pyhrg.common.files import write_whole
+from pyhrg.common.reading.files import read_bytes
+from pyhrg.common.reading.limits import LOG_BYTES
 from pyhrg.fmu.archive import Archive
 from pyhrg.fmu.gyro import Gyro
 from pyhrg.fmu.instance import Instance
@@ -90,3 +95,12 @@ class GyroFmu(Archive):
 
     def _is_stopped(self) -> bool:
         return self.stop is not None and self.stop.is_set()
+
+
+def load_own_fmu(file: Path) -> GyroFmu:
+    """The FMU of a user's file, by way of the user's cache: it is extracted beside itself."""
+    data = read_bytes(file, LOG_BYTES)
+    path = find_cache_folder() / f"{hashlib.sha256(data).hexdigest()[:16]}-own" / file.name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_whole(path, data)
+    return GyroFmu(path)

@@ -9,6 +9,7 @@ import math
 import numpy as np
 import pytest
 
+from fmu_build.bundle import build_fmu
 from pyhrg.fmu import GyroFmu
 from tests.agreement.mechanisms import TAU
 from tests.driving import advance
@@ -50,3 +51,37 @@ def test_the_force_follows_the_gain(
     expected = (1 - g / 2 * math.cos(4 * ANGLE)) / TAU + part
     mean = np.mean(forces[-round(0.1 / step) :])
     assert mean == pytest.approx(expected, abs=5e-3 * abs(part))
+
+
+@pytest.mark.parametrize("model", ["HRG", "HRGCarrier"])
+@pytest.mark.parametrize(
+    ("parameter", "output", "slope"),
+    [
+        ("pickOff.gainPerKelvin", "amplitudeForce", -0.5 * math.cos(4 * ANGLE)),
+        ("pickOff.gainPerGradient", "amplitudeForce", -0.5 * math.cos(4 * ANGLE)),
+        ("pickOff.phasePerKelvin", "frequencyOffset", 1.0),
+    ],
+)
+def test_a_value_at_samples_of_the_temperature_is_the_mean(
+    model: str, parameter: str, output: str, slope: float
+) -> None:
+    """Gains and phases follow straight lines between samples, every 10 ms: where steps of 10 ms
+    end, loops show what their mean over all control periods is, within 1 % (steps of the gain would
+    make it 5 %, and 4 times the whole for the phase)."""
+    gyro_fmu, per_kelvin = GyroFmu(build_fmu(model)), 1e-4
+    lag = 1e4 if "Gradient" in parameter else 1.0
+    duration = 3.0 if model == "HRG" else 0.6
+    shown = {}
+    for step in (1e-3, 1e-2):
+        changes = []
+        for value in (0.0, per_kelvin):
+            values = {parameter: value, "resonator.environment.thermalLag": lag}
+            with gyro_fmu.power_on(values, seed=0, start_angle=ANGLE) as gyro:
+                readings = []
+                for i in range(round(duration / step)):
+                    gyro.command("caseTemperature", 298.15 + 0.5 * round(i * step, 2))
+                    advance(gyro, 0.0, step)
+                    readings.append(gyro.read(output))
+            changes.append(np.mean(readings[-round(0.1 / step) :]))
+        shown[step] = changes[1] - changes[0]
+    assert shown[1e-2] == pytest.approx(shown[1e-3], abs=1e-2 * abs(slope) * per_kelvin * 0.5)

@@ -10,6 +10,8 @@ from benchmarks.modes.paired_gyros import calibrate_at_rest, evaluate_map
 from pyhrg.common.units import DEG, DEG_PER_H, DEG_PER_SQRT_H
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
+from pyhrg.theory.closed_forms import static_bias
+from pyhrg.theory.travelling_waves import split_into_waves, unequal_wave_bias
 from tests.driving import advance, drive
 
 K = 0.277
@@ -172,3 +174,49 @@ def test_two_gyros_calibrate_each_other(fmu_path: Path) -> None:
         bias = -abs(size) * 1e-3 / K * np.sin(4 * (angles - 0.3))
         bias += size / (4 * K * TAU) * (np.sin(4 * angles) - np.cos(4 * angles) - 1)
         assert bias - evaluate_map(coefficients, angles) == pytest.approx(-left, abs=0.01 * 4e-6)
+
+
+def test_the_orbit_is_two_travelling_waves(fmu: GyroFmu) -> None:
+    """While a gyro with a split and errors of its pick-offs turns: amplitude and quadrature are
+    half the sum and half the difference of the waves' amplitudes as read, and the pattern angle is
+    a quarter of their phases' difference."""
+    parameters = {
+        "resonator.material.frequencySplit": 1e-2,
+        "pickOff.gainMismatch": 1e-2,
+        "pickOff.nonOrthogonality": 1e-2,
+        "controller.quadratureSetpoint": 0.2,
+    }
+    with fmu.power_on(parameters, seed=0, start_angle=0.3) as gyro:
+        for _ in range(5):
+            advance(gyro, 0.5, 1.0)
+            reading = [gyro.read(f"pickOff.reading[{i}]") for i in (1, 2, 3, 4)]
+            forward, backward = split_into_waves(reading)
+            sizes = abs(forward), abs(backward)
+            assert gyro.read("amplitude") == pytest.approx(sum(sizes) / 2, rel=1e-12)
+            assert gyro.read("quadrature") == pytest.approx((sizes[0] - sizes[1]) / 2, rel=1e-12)
+            turned = 4 * gyro.read("patternAngle") - np.angle(forward / backward)
+            assert math.remainder(turned, 2 * math.pi) == pytest.approx(0, abs=1e-12)
+
+
+def test_unequal_waves_have_more_bias(fmu: GyroFmu) -> None:
+    """Closed form of a ratio of 1 to 3; equal waves have that of the whole-angle mode."""
+    device = Device(
+        damping_anisotropy=4e-6, damping_axis=0.4, frequency_split=2e-6, stiffness_axis=0.5
+    )
+    for quadrature in (0.0, 0.5):
+        parameters = {
+            "resonator.material.dampingAnisotropy": device.damping_anisotropy,
+            "resonator.material.dampingAxis": device.damping_axis,
+            "resonator.material.frequencySplit": device.frequency_split,
+            "resonator.material.stiffnessAxis": device.stiffness_axis,
+            "controller.quadratureSetpoint": quadrature,
+        }
+        with fmu.power_on(parameters, seed=0, start_angle=0.1) as gyro:
+            before = advance(gyro, 0.0, 10.0)
+            measured = (advance(gyro, 0.0, 20.0) - before) / 20.0
+            angle = gyro.read("patternAngle")
+        (expected,) = unequal_wave_bias(device, [angle], quadrature)
+        assert measured == pytest.approx(expected, abs=2e-3 * 4e-6 / (4 * K))
+        if quadrature == 0.0:
+            (usual,) = static_bias(device, [angle])
+            assert expected == pytest.approx(usual, rel=1e-12)

@@ -31,6 +31,8 @@ partial block PartialPickOff "Errors of pick-offs, demodulation and converters"
   parameter Units.DimensionlessRatio ringErrors[9] "Errors of the electrode ring, as of ringErrors";
   input Units.TemperatureDifference temperature "Above the reference";
   input Units.TemperatureDifference gradient "Case above the resonator";
+  input Units.TemperatureDifference rise[2] "Of temperature and gradient since the sample before";
+  input Units.DimensionlessRatio missing "Part of it that is still to come";
   input Units.Time age "Time since power-on";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
   input Units.AngularVelocity turning "Rate of the modal angle, as the case turns and as commanded";
@@ -60,6 +62,10 @@ protected
   Units.DimensionlessRatio mismatch "g under temperature and specific force";
   Units.DimensionlessRatio gain[2] "Of x and y, for small vibrations";
   Units.DimensionlessRatio turn[2] "Cosine and sine of the phase by temperature and flicker";
+  Units.DimensionlessRatio sampledGain[2] "Of x and y, at the temperatures' last sample";
+  Units.DimensionlessRatio gainRise "Of x since the sample before; y falls by it";
+  Units.DimensionlessRatio sampledPhasor[4] "Cosine and sine of the phase of x, and of y, at the temperatures' last sample";
+  Units.DimensionlessRatio phasorRise[4] "Since the sample before";
   Units.DimensionlessRatio phasor[4] "Cosine and sine of the phase of x, and of y";
 equation
   share = obliquity + samplingSkew*turning;
@@ -69,13 +75,25 @@ equation
     + gainPerAccelerationSquared[1]*acceleration[1]^2 + gainPerAccelerationSquared[2]*acceleration[2]^2
     + gainPerAccelerationSquared[3]*acceleration[3]^2;
   sensitivity = scale + gainPerVoltage*(biasVoltage - 1);
-  gain = {sensitivity*(1 + mismatch/2), sensitivity*(1 - mismatch/2)};
+  sampledGain = {sensitivity*(1 + mismatch/2), sensitivity*(1 - mismatch/2)};
+  gainRise = sensitivity*(gainPerKelvin*rise[1] + gainPerGradient*rise[2])/2;
+  gain = {sampledGain[1] - missing*gainRise, sampledGain[2] + missing*gainRise};
   turn = {cos(phasePerKelvin*temperature + phaseFlicker), sin(phasePerKelvin*temperature + phaseFlicker)};
-  phasor = {
+  sampledPhasor = {
     axes[1]*turn[1] - axes[2]*turn[2],
     axes[2]*turn[1] + axes[1]*turn[2],
     axes[3]*turn[1] - axes[4]*turn[2],
     axes[4]*turn[1] + axes[3]*turn[2]};
+  phasorRise = {
+    -phasePerKelvin*rise[1]*sampledPhasor[2],
+    phasePerKelvin*rise[1]*sampledPhasor[1],
+    -phasePerKelvin*rise[1]*sampledPhasor[4],
+    phasePerKelvin*rise[1]*sampledPhasor[3]};
+  phasor = {
+    sampledPhasor[1] - missing*phasorRise[1],
+    sampledPhasor[2] - missing*phasorRise[2],
+    sampledPhasor[3] - missing*phasorRise[3],
+    sampledPhasor[4] - missing*phasorRise[4]};
   annotation (Icon(graphics = {Rectangle(extent = {{-100, 100}, {100, -100}}), Line(points = {{-20, 60}, {-20, -60}}), Line(points = {{20, 60}, {20, -60}}), Line(points = {{20, 0}, {100, 0}}), Text(extent = {{-150, 140}, {150, 105}}, textString = "%name", textColor = {0, 0, 255})}),
     Documentation(info="<html>
 <p>With T the temperature above the reference, f the specific force and V the bias voltage over the nominal one,</p>

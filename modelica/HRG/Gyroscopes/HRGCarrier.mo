@@ -30,6 +30,8 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
     gradient = resonator.environment.gradient,
+    rise = interpolation.rise,
+    missing = interpolation.missing,
     age = resonator.environment.age,
     turning = controller.commandedTurn - (1 - controller.forceToRebalance)*resonator.material.coupling,
     biasVoltage = biasVoltage,
@@ -64,6 +66,13 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     virtualRotation = virtualRotation,
     rateNoise = noise.patternRate,
     gainNoise = noise.rotation) "Control electronics";
+protected
+  Resonators.Interpolation interpolation(
+    samplePeriod = samplePeriod,
+    thermalPeriod = resonator.thermalPeriod,
+    startTemperature = resonator.environment.startTemperature,
+    temperature = resonator.environment.temperature,
+    gradient = resonator.environment.gradient) "Temperatures between their samples";
 equation
   gyroAngle = controller.gyroAngle;
   gyroRate = controller.gyroRate;

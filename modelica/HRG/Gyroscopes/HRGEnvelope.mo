@@ -16,6 +16,8 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
     gradient = resonator.environment.gradient,
+    rise = interpolation.rise,
+    missing = interpolation.missing,
     age = resonator.environment.age,
     turning = controller.commandedTurn - (1 - controller.isHeld)*resonator.material.coupling) "Pick-offs and demodulation"
     annotation (Placement(transformation(extent = {{76, 40}, {116, 100}})));
@@ -46,6 +48,13 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
     frequency = resonator.material.frequency,
     authority = drive.authority)
     annotation (choicesAllMatching = true, Placement(transformation(extent = {{-36, -128}, {36, -8}})));
+protected
+  Resonators.Interpolation interpolation(
+    samplePeriod = samplePeriod,
+    thermalPeriod = resonator.thermalPeriod,
+    startTemperature = resonator.environment.startTemperature,
+    temperature = resonator.environment.temperature,
+    gradient = resonator.environment.gradient) "Temperatures between their samples";
 equation
   connect(angularRate, resonator.angularRate)
     annotation (Line(points = {{-206, 95}, {-60, 95}, {-60, 95.2}, {-39.6, 95.2}}, color = {0, 0, 127}));

@@ -39,6 +39,8 @@ model HRGPlant "Resonator, pick-offs and drives of HRGEnvelope, for electronics 
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
     gradient = resonator.environment.gradient,
+    rise = interpolation.rise,
+    missing = interpolation.missing,
     age = resonator.environment.age,
     turning = commandedRate - (1 - isHeld)*resonator.material.coupling,
     biasVoltage = biasVoltage,
@@ -64,6 +66,13 @@ model HRGPlant "Resonator, pick-offs and drives of HRGEnvelope, for electronics 
     samplePeriod = samplePeriod,
     bryanFactor = resonator.material.bryanFactor,
     seed = seed) "Noise of drives and pick-offs; that of the electronics is left to them";
+protected
+  Resonators.Interpolation interpolation(
+    samplePeriod = samplePeriod,
+    thermalPeriod = resonator.thermalPeriod,
+    startTemperature = resonator.environment.startTemperature,
+    temperature = resonator.environment.temperature,
+    gradient = resonator.environment.gradient) "Temperatures between their samples";
 equation
   reading = pickOff.reading;
   annotation (Documentation(info="<html>

@@ -22,6 +22,8 @@ model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-ste
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
     gradient = resonator.environment.gradient,
+    rise = {0, 0},
+    missing = 0,
     age = resonator.environment.age,
     turning = controller.commandedTurn - (1 - controller.forceToRebalance)*resonator.material.coupling,
     biasVoltage = biasVoltage,

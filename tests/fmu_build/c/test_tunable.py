@@ -9,6 +9,7 @@ from tests.fmu_build.importer import Importer
 
 MAP, CANCELLATION = "controller.biasMap.mean", "controller.cancellation.dampingAnisotropy"
 DEPENDENT = "controller.cancellation.quarterCos"
+PUMP = "controller.pump"
 RATE = 1e-3
 """Of the bias map, rad/s."""
 
@@ -51,8 +52,30 @@ def test_a_value_that_is_set_again_changes_no_bit(gyro: Importer, model_folder: 
     other.free()
 
 
+def test_the_amplitude_force_goes_over_to_parametric_drive(gyro: Importer) -> None:
+    """In one tick, and back: the pump grows by the amplitude force, which stays."""
+    (force,) = gyro.get(["amplitudeForce"])
+    assert gyro.get([PUMP]) == [0.0]
+    gyro.set({"controller.parametricShare": 1.0})
+    gyro.slave.doStep(0.2, 0.2)
+    assert gyro.get(["amplitudeForce", PUMP]) == pytest.approx([force, force], rel=1e-6)
+    gyro.set({"controller.parametricShare": 0.0})
+    gyro.slave.doStep(0.4, 0.2)
+    assert gyro.get([PUMP]) == [0.0]
+
+
+def test_a_limit_of_valid_output_moves(gyro: Importer) -> None:
+    gyro.set({"amplitudeSetpoint": 1.05})
+    gyro.slave.doStep(0.2, 0.1)
+    assert gyro.get(["controller.startUp.valid"]) == [1.0]
+    gyro.set({"controller.startUp.amplitudeTolerance": 1e-3})
+    gyro.slave.doStep(0.3, 0.1)
+    assert gyro.get(["controller.startUp.valid"]) == [0.0]
+
+
 def test_they_are_declared(gyro: Importer) -> None:
     declared = {n for n, v in gyro.variables.items() if v.variability == "tunable"}
-    assert {MAP, CANCELLATION, DEPENDENT, "controller.quadratureSetpoint"} <= declared
+    settings = {"quadratureSetpoint", "parametricShare", "startUp.amplitudeTolerance"}
+    assert {MAP, CANCELLATION, DEPENDENT, *(f"controller.{s}" for s in settings)} <= declared
     assert "controller.readout.bryanFactor" not in declared
     assert "controller.biasMap.samplePeriod" not in declared

@@ -283,3 +283,16 @@ def test_folder_that_cannot_be_written(tmp_path: Path, capsys: pytest.CaptureFix
     (tmp_path / "map.png").mkdir()
     assert main(["nav", "--out", str(tmp_path)]) == 2
     assert "map.png is a folder" in capsys.readouterr().err
+
+
+def test_an_own_fmu_is_for_gyros_of_a_device(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Gyros of stated errors, a missing file and a recorded log are each refused in one line."""
+    missing = str(tmp_path / "missing.fmu")
+    log = written(tmp_path, 10)
+    for imu, word in (("simple", "stated errors"), ("typical-hrg", missing), (str(log), "--fmu")):
+        assert main(["nav", "--out", str(tmp_path / "out"), "--imu", imu, "--fmu", missing]) == 2
+        error = capsys.readouterr().err
+        assert word in error
+        assert error.count("\n") == 1

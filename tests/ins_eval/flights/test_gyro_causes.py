@@ -1,6 +1,7 @@
 """The budget of gyros of a device: each line is what a flight without its keys lacks."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,17 +15,27 @@ from ins_eval.flights.flight import (
     sample_truth,
     spawn_seeds,
 )
-from ins_eval.flights.gyro_causes import HELD_FORCES, MISALIGNMENT, TOGETHER, replay_causes
+from ins_eval.flights.gyro_causes import (
+    HELD_FORCES,
+    MISALIGNMENT,
+    OWN_FMU,
+    TOGETHER,
+    replay_causes,
+)
 from ins_eval.flights.linear import COLUMNS, compute_error_budget
 from ins_eval.flights.plan import Plan
+from ins_eval.flights.sources import put_into_fmu
 from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
+from ins_eval.imu.stated_gyros import StatedGyros
 from ins_eval.trajectories.catalogue import load_trajectory
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.device.causes import list_causes
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.theory import closed_forms as theory
+from tests.fmu_build.test_class_file import build
 from tests.ins_eval.flights.test_linear import errors_at_the_end
 
 DEVICE = Device(
@@ -88,9 +99,9 @@ def test_a_line_stays_when_another_key_is_zeroed() -> None:
     np.testing.assert_allclose(found[1], found[0], atol=1e-3 * float(np.max(np.abs(found[0]))))
 
 
-def test_what_no_key_states(fmu: GyroFmu) -> None:
+def test_what_no_key_states() -> None:
     """Misaligned gyros without another error: the closed forms; the sum is the FMU's."""
-    gyros = FmuGyros(Device(), calibrated=False, fmu=fmu)
+    gyros = FmuGyros(Device(), calibrated=False)
     imu = Imu(gyros=gyros, interval=0.05, mounting_deviation=20 * ARCSEC)
     truth = sample_truth(FROM_TRUTH, load_trajectory("weaving", 900.0))
     (seed,) = spawn_seeds(FROM_TRUTH.seed, 1)
@@ -121,3 +132,35 @@ def test_errors_that_need_each_other_are_together() -> None:
     twice = parts[cubic].rotation
     size = float(np.max(np.abs(twice)))
     np.testing.assert_allclose(parts[TOGETHER].rotation, -twice, atol=0.02 * size)
+
+
+def test_what_an_own_class_adds_is_a_line(tmp_path: Path) -> None:
+    """A class whose gyros feel 1e-7 rad/s more about their axes, which the device does not state:
+    its line is the difference of two flights, and the device's lines stay."""
+    bias = 1e-7
+    device = replace(DEVICE, angle_random_walk=0.0)
+    plan = replace(FROM_TRUTH, count=300 * 20)
+    imu = Imu(gyros=FmuGyros(device, calibrated=False), interval=plan.interval)
+    own = put_into_fmu(imu, build(tmp_path, bias))
+    tables, errors = [], []
+    for each in (imu, own):
+        flown, truth = fly(plan, each, "weaving")
+        tables.append(compute_error_budget(plan, truth, each, flown.first).table)
+        errors.append(errors_at_the_end(flown, truth)[0])
+    columns = list(COLUMNS[2:])
+    line = tables[1][tables[1]["effect"] == OWN_FMU][columns].sum().to_numpy()
+    assert np.hypot(*line) > 0.1 * np.hypot(*errors[0])
+    assert np.hypot(*(errors[1] - errors[0] - line)) < 1e-2 * np.hypot(*line)
+    for cause in list_causes([device]):
+        lines = [t[t["effect"] == str(cause)][columns].to_numpy() for t in tables]
+        np.testing.assert_array_equal(*lines)
+
+
+def test_an_own_fmu_wants_gyros_of_a_device_and_sampled_loops(
+    tmp_path: Path, slow_fmu: GyroFmu
+) -> None:
+    with pytest.raises(HrgError, match=r"stated errors, expected \[gyros\] device"):
+        put_into_fmu(Imu(gyros=StatedGyros()), tmp_path / "any.fmu")
+    slow = slow_fmu.folder.parent / "HRGSlow.fmu"
+    with pytest.raises(HrgError, match="no sampled control loops"):
+        put_into_fmu(Imu(gyros=FmuGyros(DEVICE)), slow)

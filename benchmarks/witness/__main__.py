@@ -113,9 +113,10 @@ def print_flown(method: str, folder: str, count: int, hours: int, first: int) ->
     tables: list[pd.DataFrame] = []
     for rows in flown.fly_triads(fmus, distribution, drawn, hours, Path(folder)):
         tables.append(rows)
-        print(f"{len(tables)} of {count} triads", flush=True)
-        if len(tables) > 1:
-            scores = score_witnesses(pd.concat(tables), STUDY_SEED)
+        flights = pd.concat(tables)
+        print(f"{flights['triad'].nunique()} of {count} triads", flush=True)
+        if flights["triad"].nunique() > 1:
+            scores = score_witnesses(flights, STUDY_SEED)
             print(*("; ".join(row) for row in list_figures(scores)), sep="\n", flush=True)
 
 

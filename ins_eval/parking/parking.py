@@ -8,7 +8,8 @@ from matplotlib.figure import Figure
 
 from fmu_build.bundle import build_fmu
 from ins_eval.common.metrics import MIN_SAMPLE_FOR_MEDIAN
-from ins_eval.mission_model.missions import STILL
+from ins_eval.mission_model.missions import LONGEST_HOURS, STILL, plan_mission
+from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.parking import report
 from ins_eval.parking.mission import sample_mission
 from ins_eval.parking.report import plot_comparison
@@ -18,7 +19,7 @@ from pyhrg.common.arguments import check_seed, check_whole_minutes, check_whole_
 from pyhrg.common.errors import describe_briefly
 from pyhrg.common.files import stage_files
 
-LONGEST_HOURS = 24.0
+LONGEST = 24.0
 MAX_TRIADS = 10_000
 MARGIN = 10.0
 """Time by which trajectories go on beyond the mission's end, s, so that no spline ends in it."""
@@ -76,10 +77,12 @@ def compare_parking(
         HrgError: an argument out of range, or a trajectory that can't be flown.
     """
     check_whole_number("triads", triads, MIN_SAMPLE_FOR_MEDIAN, MAX_TRIADS)
-    minutes = check_whole_minutes("hours", hours, LONGEST_HOURS)
+    minutes = check_whole_minutes("hours", hours, LONGEST)
     path = load_trajectory(trajectory, minutes * 60 + MARGIN, STILL)
     mission = sample_mission(path, minutes / 60)
+    checked = check_seed(seed)
+    weights = load_mission_weights(plan_mission(trajectory, min(minutes / 60, LONGEST_HOURS)))
     found = compare(
-        build_fmu(), mission, triads, check_seed(seed), workers=workers, progress=progress
+        build_fmu(), mission, weights, triads, checked, workers=workers, progress=progress
     )
     return ParkingComparison(**vars(found))

@@ -7,17 +7,19 @@ from functools import cache
 import numpy as np
 
 from ins_eval.imu.gyros import GyroOutput
+from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import STILL
-from ins_eval.parking.gyro import CASES, LIMIT, Case, Known, MappedGyro, Start
+from ins_eval.parking.gyro import ANGLES, CASES, LIMIT, Case, Known, MappedGyro, Start
 from ins_eval.parking.mission import INTERVAL, Mission, find_ready_time
+from ins_eval.parking.schedule import choose_start_angles
 from pyhrg.common.arrays import Array
 from pyhrg.records.imu.log import Increments
 
 VERTICAL = 2
 """Axis of the gyro that is not parked: turns of the vehicle take its pattern all round."""
-DRIVES = 10
+DRIVES = 12
 """Simulations of a gyro through the mission, a triad: three as they come, two level ones parked at
-each of two angles, three with maps."""
+each of three angles, three with maps."""
 RECORDS = ("running", "ready", "valid", "power_on")
 """Which part of the five minutes at rest alignment uses. `running`: all, with gyros that were
 switched on before; `ready`: from when the last gyro is ready; `valid`: from when the last output is
@@ -43,15 +45,24 @@ class TriadFlights:
     start_up: Array
 
 
-def fly_triad(gyros: Sequence[MappedGyro], velocity: Array, mission: Mission) -> TriadFlights:
+def fly_triad(
+    gyros: Sequence[MappedGyro], velocity: Array, mission: Mission, weights: MissionWeights
+) -> TriadFlights:
     """All cases, with the same noise and the same accelerometers.
 
-    velocity: (n, 3) increments of the accelerometers, m/s.
+    velocity: (n, 3) increments of the accelerometers, m/s; weights: of the mission.
     """
+    level = gyros[:VERTICAL]
+    angles: dict[Start, Sequence[float]] = {
+        start: [find(each.bias) for each in level] for start, find in ANGLES.items()
+    }
+    maps = [each.bias_map for each in level]
+    angles[Start.SCHEDULED] = choose_start_angles(weights, maps).tolist()
 
     @cache
     def flight(axis: int, start: Start, with_maps: bool) -> GyroOutput:
-        return gyros[axis].flight(mission.truth.increments, axis, start, with_maps)
+        angle = None if start is Start.AS_IT_COMES else angles[start][axis]
+        return gyros[axis].flight(mission.truth.increments, axis, angle, with_maps)
 
     radial, heading, ready = [], [], []
     for case in CASES:
@@ -97,7 +108,7 @@ def _start_up(
     rest, before = round(STILL / INTERVAL), round(RUNNING / INTERVAL)
     rows = np.arange(-before, rest).clip(min=0)
     longer = Increments(INTERVAL, truth.rotation[rows], truth.velocity[rows], -STILL - RUNNING)
-    early = [gyro.flight(longer, axis, LIMIT.start, True) for axis, gyro in enumerate(gyros)]
+    early = [gyro.flight(longer, axis, None, True) for axis, gyro in enumerate(gyros)]
     running = np.stack([flight.rotation[before:] for flight in early], axis=-1)
     started = _measure(gyros, flights, velocity, LIMIT)
     errors = [mission.heading_error(Increments(INTERVAL, running, velocity[:rest], -STILL))]

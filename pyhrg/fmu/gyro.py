@@ -100,7 +100,7 @@ class Gyro:
         Raises:
             GyroError: an unknown name, or a value that the FMU refuses.
         """
-        self.instance.set_value(name, value)
+        self.instance.set_values({name: value})
 
     def check_stop(self) -> None:
         """Raise `GyroError` if drives under way are to end."""

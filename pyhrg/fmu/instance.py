@@ -37,8 +37,7 @@ class Instance:
         try:
             self._call(self.slave.setupExperiment, startTime=0.0)
             self._call(self.slave.enterInitializationMode)
-            for name, value in parameters.items():
-                self.set_value(name, value)
+            self.set_values(parameters)
             self._call(self.slave.exitInitializationMode)
         except GyroError:
             self.slave.freeInstance()
@@ -53,15 +52,21 @@ class Instance:
             self.slave.freeInstance()
             raise
 
-    def set_value(self, name: str, value: float) -> None:
-        """Set one variable, SI."""
-        references = [int(reference) for reference in self.archive.find_references([name])]
-        if self.archive.kinds[name] == "Integer":
+    def set_values(self, values: Mapping[str, float]) -> None:
+        """Set variables by name, SI, those of one type in one call."""
+        kinds = self.archive.kinds
+        references = dict(zip(values, self.archive.find_references(values).tolist(), strict=True))
+        integers = {name: value for name, value in values.items() if kinds[name] == "Integer"}
+        for name, value in integers.items():
             if value != int(value):
                 raise GyroError(f"{name}: {value:g} is no integer")
-            self._call(self.slave.setInteger, references, [int(value)])
-        else:
-            self._call(self.slave.setReal, references, [value])
+        reals = {name: value for name, value in values.items() if name not in integers}
+        if reals:
+            numbers = [references[name] for name in reals]
+            self._call(self.slave.setReal, numbers, [*reals.values()])
+        if integers:
+            numbers = [references[name] for name in integers]
+            self._call(self.slave.setInteger, numbers, [int(each) for each in integers.values()])
 
     def explain(self, otherwise: str) -> str:
         """What the FMU logged since it was last asked; another text if it logged nothing."""

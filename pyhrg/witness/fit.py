@@ -1,6 +1,6 @@
 """Changes of a gyro's mechanisms that explain its forces (docs/methods/witness.md, Eq. 8)."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
 
@@ -8,18 +8,18 @@ import numpy as np
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
-from pyhrg.fmu import CONTROL_PERIOD, GyroFmu, record_together
+from pyhrg.fmu import CONTROL_PERIOD, WIDE, GyroFmu, record_together
 from pyhrg.witness.design import Motion, compute_change_design, evaluate_motion
 from pyhrg.witness.filter import filter_rows
 from pyhrg.witness.information import compute_normalized_square, factor_covariance
 from pyhrg.witness.mechanisms import COUNT, FOLLOWED, STEADY, TEMPERATURE_RATE, change_device
 from pyhrg.witness.prior import Prior
-from pyhrg.witness.replay import SETTLING, Replay, Witnesses, guess_course, replay
+from pyhrg.witness.replay import SETTLING, Course, Replay, Witnesses, guess_course, replay
 from pyhrg.witness.responses import FORCES, Responses, measure_channels, measure_responses
 
 STAGES = 6
 """Largest number of times that the gyro is replayed and its sensitivities are taken, with the
-changes of the time before. Chosen: three are usual."""
+changes of the time before. Chosen: two or three are usual."""
 CONVERGENCE_CHI2 = 1.0
 """The fit has converged when a stage moves no gyro's changes by more than this, as a normalised
 square. Chosen."""
@@ -27,6 +27,12 @@ FOLLOWED_ANGLE = 1e-9
 """Rms error of the simulated angles at which a course is followed, rad. Derived: a frequency split
 of 1 mHz makes of it a quadrature force of 1e-11 1/s, a tenth of what an angle random walk of 1e-4
 deg/sqrt(h) leaves of the force in two hours."""
+COARSE_ANGLE = 1e-6
+"""Rms error of the angles at which the first stage's course is followed, rad. Chosen: its estimate
+is only a start, a hundred sigmas off by linearity."""
+ROUNDS = 3
+"""Number of times that each stage filters its rows, the later ones less what linearity missed.
+Chosen: stages are then three at most and mostly two."""
 REPLAYS = 8
 """Largest number of replays in each stage. Derived: each leaves of the angle's error the bias map's
 slope times the flight's duration, 0.04 for 1.5 deg/h in two hours."""
@@ -89,37 +95,50 @@ class FittedChanges:
 def fit_changes(fast: GyroFmu, slow: GyroFmu, gyros: Sequence[Flown]) -> list[FittedChanges]:
     """The mechanisms' changes of gyros in flights of one length, by Gauss-Newton.
 
-    Each stage replays the gyros with the changes of the last one and filters all rows. Those after
-    the first subtract what linearity missed of the quasi-static forces and filter again. A stage
-    leaves of an error its own relative size: 2 % of the decay time become 0.04 %.
+    Each stage replays the gyros with the changes of the last one and filters all rows. It subtracts
+    what linearity missed of the quasi-static forces and filters again. A gyro that has settled is
+    left alone, so that its estimate does not depend on the others.
 
     fast: `HRG`; slow: `HRGSlow`.
     """
     courses = [guess_course(each.device, each.witnesses) for each in gyros]
-    changes = [each.prior.mean for each in gyros]
-    responses = [each.responses for each in gyros]
     scatters = _measure_scatter(fast, [each.device for each in gyros])
+    fitted: dict[int, FittedChanges] = {}
+    moving = list(range(len(gyros)))
     for stage in range(STAGES):
-        changed = [change_device(g.device, x) for g, x in zip(gyros, changes, strict=True)]
-        witnesses = [each.witnesses for each in gyros]
-        for _ in range(REPLAYS):
-            replays = replay(fast, changed, witnesses, courses)
-            courses = [each.following for each in replays]
-            if max(each.angle_error for each in replays) < FOLLOWED_ANGLE:
-                break
-        if stage:
-            responses = [
-                measure_responses(slow, each, g.responses.noise)
-                for g, each in zip(gyros, changed, strict=True)
-            ]
-        fitted = [
-            _fit_stage(slow, *each, rounds=2 if stage else 1)
-            for each in zip(gyros, replays, changes, responses, scatters, strict=True)
-        ]
-        changes = [each.changes for each in fitted]
-        if stage and max(each.moved for each in fitted) < CONVERGENCE_CHI2:
-            break
-    return fitted
+        starts = {n: fitted[n].changes if stage else gyros[n].prior.mean for n in moving}
+        changed = {n: change_device(gyros[n].device, starts[n]) for n in moving}
+        replays = _follow(fast, gyros, changed, courses, FOLLOWED_ANGLE if stage else COARSE_ANGLE)
+        for n in moving:
+            responses = gyros[n].responses
+            if stage:
+                responses = measure_responses(slow, changed[n], responses.noise)
+            fitted[n] = _fit_stage(slow, gyros[n], replays[n], starts[n], responses, scatters[n])
+        moving = [n for n in moving if not stage or fitted[n].moved >= CONVERGENCE_CHI2]
+    return [fitted[n] for n in range(len(gyros))]
+
+
+def _follow(
+    fast: GyroFmu,
+    gyros: Sequence[Flown],
+    changed: Mapping[int, Device],
+    courses: list[Course],
+    tolerance: float,
+) -> dict[int, Replay]:
+    """Replays of changed devices, by their numbers, on courses that are corrected until angles
+    agree."""
+    replays: dict[int, Replay] = {}
+    left = list(changed)
+    for _ in range(REPLAYS):
+        for first in range(0, len(left), WIDE):
+            numbers = left[first : first + WIDE]
+            devices = [changed[n] for n in numbers]
+            witnesses = [gyros[n].witnesses for n in numbers]
+            found = replay(fast, devices, witnesses, [courses[n] for n in numbers])
+            for n, each in zip(numbers, found, strict=True):
+                replays[n], courses[n] = each, each.following
+        left = [n for n in left if replays[n].angle_error >= tolerance]
+    return replays
 
 
 def _fit_stage(
@@ -129,7 +148,6 @@ def _fit_stage(
     start: Array,
     responses: Responses,
     scatter: Array,
-    rounds: int,
 ) -> FittedChanges:
     """start: (COUNT,) changes of the replayed gyro; scatter: (2,) of the blocks."""
     witnesses, prior = gyro.witnesses, gyro.prior
@@ -138,7 +156,7 @@ def _fit_stage(
     residuals = _average(replayed.residuals, witnesses.interval)
     basis, design = _average_design(responses, replayed.motion)
     changes, moved = start, np.zeros_like(residuals)
-    for left in reversed(range(rounds)):
+    for left in reversed(range(ROUNDS)):
         # the replay leaves out the bias by the rate of temperature, `moved` what follows a signal
         about = np.where(TEMPERATURE_RATE, 0.0, np.where(STEADY, changes, start))
         values = residuals - moved + design @ (about - prior.mean)

@@ -121,11 +121,12 @@ def measure_responses(fmu: GyroFmu, device: Device, noise: Array | None = None) 
 
 def measure_channels(fmu: GyroFmu, devices: Sequence[Device]) -> Array:
     """(d, 3, POWERS, MOTIONS, TERMS) coefficients of amplitude force, quadrature force and output
-    rate of devices without noise, by the powers of the temperature above the reference.
+    rate of devices, their noise left out, by the powers of the temperature above the reference.
 
     fmu: `HRGSlow`.
     """
-    cases = [(device, Chamber(rise=rise)) for device in devices for rise in RISES]
+    quiet = [each.without_noise() for each in devices]
+    cases = [(device, Chamber(rise=rise)) for device in quiet for rise in RISES]
     fitted = _fit_channels(fmu, cases)
     at_rises = fitted.reshape(len(devices), POWERS, *fitted.shape[1:])
     to_powers = np.linalg.inv(np.vander(RISES, POWERS, increasing=True))

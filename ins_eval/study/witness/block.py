@@ -10,12 +10,15 @@ from ins_eval.study.gyros.drawn_triad import DrawnTriad, TriadDistribution
 from ins_eval.study.witness.believed import BelievedGyro, believe_gyro
 from ins_eval.study.witness.flight import fly_with_channels
 from ins_eval.study.witness.self_test import SELF_TEST
-from ins_eval.study.witness.witnessed import WitnessedFlight, witness_triad
+from ins_eval.study.witness.witnessed import WitnessedFlight, witness_flights
 from pyhrg.common.arrays import Array
 from pyhrg.fmu import GyroFmu
 
 TESTS = (0.0, SELF_TEST)
 """Durations of the self-test at power-on, s: each triad flies with each."""
+TOGETHER = 5
+"""Number of triads that fly side by side. Derived: 15 gyros nearly fill the lanes of two vectors
+of `pyhrg.fmu.WIDE`, and five flights of two hours are a GB."""
 SHAPES = {
     **dict.fromkeys(("flown", "by_bench", "by_channels", "by_self_test", "told", "known"), (2,)),
     **dict.fromkeys(("told_covariance", "known_covariance"), (2, 2)),
@@ -50,19 +53,17 @@ def witness_triads(
     study, with which a triad's seed decides the noise; triads: those that are witnessed, by number;
     numbers: (r,) of the whole block.
     """
-    flights = {
-        number: [
-            witness_triad(
-                *fmus,
-                weights,
-                triad,
-                believed,
-                fly_with_channels(fmus[0], truth, triad, seed_noise(triad, mission), test),
-            )
-            for test in TESTS
-        ]
-        for number, (triad, believed) in triads.items()
-    }
+    flown = list(triads.items())
+    flights: dict[int, list[WitnessedFlight]] = {number: [] for number in triads}
+    for first in range(0, len(flown), TOGETHER):
+        part = flown[first : first + TOGETHER]
+        drawn, believed = [each for _, (each, _) in part], [each for _, (_, each) in part]
+        noise = [seed_noise(each, mission) for each in drawn]
+        for test in TESTS:
+            recorded = fly_with_channels(fmus[0], truth, drawn, noise, test)
+            found = witness_flights(fmus, weights, drawn, believed, recorded)
+            for (number, _), each in zip(part, found, strict=True):
+                flights[number].append(each)
     return {
         name: np.stack([_stack(flights.get(number), name) for number in numbers]) for name in SHAPES
     }

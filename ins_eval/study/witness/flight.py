@@ -1,5 +1,6 @@
-"""A triad's flight at 1 kHz with the channels that its gyros record of themselves."""
+"""Flights of triads at 1 kHz with the channels that their gyros record of themselves."""
 
+from collections.abc import Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
 
@@ -58,49 +59,48 @@ class ChannelFlight:
 def fly_with_channels(
     fmu: GyroFmu,
     truth: MissionTruth,
-    triad: DrawnTriad,
-    noise: np.random.SeedSequence,
+    triads: Sequence[DrawnTriad],
+    noise: Sequence[np.random.SeedSequence],
     self_test: float = 0.0,
-) -> ChannelFlight:
-    """A co-simulated flight with all noise; arguments as `cosimulate`."""
+) -> list[ChannelFlight]:
+    """Co-simulated flights with all noise, a seed of each triad; arguments as `cosimulate`."""
     true = truth.increments
     count = len(true) - len(true) % round(ROW / true.interval)
     rotation = rotate_virtually(true.bounds[:-1] + STILL, self_test)
-    rates = true.rotation @ tilt_input_axes(triad.mounting).T / true.interval
-    seeds, accelerometers = make_noise_seeds(noise)
+    seeds = [make_noise_seeds(each) for each in noise]
     ends, means = [], []
     with ExitStack() as stack:
         on = [
             stack.enter_context(
                 fmu.power_on(f.device.fmu_parameters(), seed=seed, start_angle=f.power_on_angle)
             )
-            for f, seed in zip(triad.flights, seeds, strict=True)
+            for triad, (gyros, _) in zip(triads, seeds, strict=True)
+            for f, seed in zip(triad.flights, gyros, strict=True)
         ]
         for first in range(0, len(true), PIECE):
             piece = slice(first, min(first + PIECE, len(true)))
-            recorded = _record_piece(on, truth, triad, rates, rotation, piece)
+            recorded = _record_piece(on, truth, triads, rotation, piece)
             ends.append(np.stack([each for each, _ in recorded], axis=1))
             means.append(np.stack([each for _, each in recorded], axis=1))
     read, averaged = np.concatenate(ends), np.concatenate(means)
-    start = [[f.power_on_angle for f in triad.flights]]
-    patterns = np.concatenate([start, read[:, :, 1]])
-    return ChannelFlight(
-        truth=truth,
-        measured=make_increments(truth, triad, read[:, :, 0], accelerometers),
-        witnesses=tuple(
-            _gather_witnesses(truth, patterns, averaged, rotation, axis, count)
+    flights = []
+    for place, (triad, (_, accelerometers)) in enumerate(zip(triads, seeds, strict=True)):
+        gyros = slice(AXES * place, AXES * (place + 1))
+        start = [[f.power_on_angle for f in triad.flights]]
+        patterns = np.concatenate([start, read[:, gyros, 1]])
+        witnesses = tuple(
+            _gather_witnesses(truth, patterns, averaged[:, gyros], rotation, axis, count)
             for axis in range(AXES)
-        ),
-        patterns=patterns,
-        self_test=self_test,
-    )
+        )
+        measured = make_increments(truth, triad, read[:, gyros, 0], accelerometers)
+        flights.append(ChannelFlight(truth, measured, witnesses, patterns, self_test))
+    return flights
 
 
 def _record_piece(
     on: list[Gyro],
     truth: MissionTruth,
-    triad: DrawnTriad,
-    rates: Array,
+    triads: Sequence[DrawnTriad],
     rotation: Array,
     piece: slice,
 ) -> list[tuple[Array, Array]]:
@@ -108,15 +108,19 @@ def _record_piece(
     interval = truth.increments.interval
     ticks = round(interval / CONTROL_PERIOD)
     time = truth.increments.bounds[:-1][piece]
-    moving = [
-        {"angularRate": np.repeat(rates[piece, axis][:, None], ticks, axis=1)}
-        for axis in range(AXES)
-    ]
-    held = [
-        {f"acceleration{x}": truth.forces[axis][piece, i] for i, x in enumerate("XYZ")}
-        | {"caseTemperature": flown.case_temperature(time), "virtualRotation": rotation[piece]}
-        for axis, flown in enumerate(triad.flights)
-    ]
+    turned = truth.increments.rotation[piece] / interval
+    moving, held = [], []
+    for triad in triads:
+        rates = turned @ tilt_input_axes(triad.mounting).T
+        for axis, flown in enumerate(triad.flights):
+            moving.append({"angularRate": np.repeat(rates[:, axis][:, None], ticks, axis=1)})
+            held.append(
+                {f"acceleration{x}": truth.forces[axis][piece, i] for i, x in enumerate("XYZ")}
+                | {
+                    "caseTemperature": flown.case_temperature(time),
+                    "virtualRotation": rotation[piece],
+                }
+            )
     outputs = ["gyroAngle", "patternAngle"], [*FORCES, "frequencyOffset"]
     return record_together(on, moving, held, interval / ticks, *outputs)
 

@@ -20,7 +20,9 @@ from pyhrg.common.arrays import Array
 R2 = "r2"
 COVERAGE = "coverage"
 CORRECTED = "corrected_over_flown"
+WORST = "worst_tenth"
 NEES = "nees"
+POSITION_NEES = "position_nees"
 PREDICTORS = {
     "known": "maps known from the bench",
     "told": "maps told by the channels",
@@ -31,6 +33,8 @@ CORRECTIONS = {
     "by_bench": "by the maps that the bench knows",
     "by_channels": "by those that the channels of the whole flight tell",
     "by_self_test": "by those that the channels tell until the alignment ends",
+    "by_bound": "by an estimate that attains the bound, linear",
+    "by_true": "by the true maps, linear",
 }
 SHUFFLED = "told, of another triad"
 
@@ -42,7 +46,9 @@ class WitnessScore:
     Attributes:
         self_test_s: duration of the self-test at power-on.
         score: `R2` of the horizontal error, `COVERAGE` of the intervals, `CORRECTED` median error
-            over that of the uncorrected flights, or `NEES` over its degrees of freedom.
+            over that of the uncorrected flights, `WORST` 90th percentile of that ratio flight by
+            flight, `NEES` of the told changes over its degrees of freedom, or `POSITION_NEES` of
+            the position error that the told maps make beside that of the true ones, likewise.
         of: key of `PREDICTORS` or `CORRECTIONS`, or `SHUFFLED`.
         low, high: interval of 95 %.
         n: number of triads.
@@ -92,6 +98,7 @@ def _score(group: FlightGroup, seed: int) -> Iterator[tuple[str, str, Estimate]]
         corrected = np.linalg.norm(group.select_pair(key), axis=-1)
         if np.isfinite(corrected).all():
             yield CORRECTED, key, estimate(compute_size_ratio, radial, corrected)
+            yield WORST, key, estimate(_compute_worst_tenth, corrected / radial)
     by_bench = group.select_pair("by_bench")
     added = group.select_pair("told") - group.select_pair("known")
 
@@ -101,12 +108,19 @@ def _score(group: FlightGroup, seed: int) -> Iterator[tuple[str, str, Estimate]]
     yield CORRECTED, SHUFFLED, shuffle_devices(correct, by_bench, [added], seed)
     squares, degrees = group.select("squares"), group.select("degrees")
     yield NEES, "told", estimate(_compute_nees, squares, degrees)
+    position = group.select("position_square")
+    yield POSITION_NEES, "told", estimate(_compute_nees, position, np.full_like(position, 2.0))
 
 
 def compute_size_ratio(flown: Array, corrected: Array) -> Array:
     """(...,) median of corrected errors (..., r, m) over that of flown ones."""
     medians = [np.median(each, axis=(-2, -1)) for each in (corrected, flown)]
     return np.asarray(medians[0] / medians[1])
+
+
+def _compute_worst_tenth(ratios: Array) -> Array:
+    """(...,) ratio that a tenth of the flights (..., r, m) exceeds."""
+    return np.asarray(np.quantile(ratios, 0.9, axis=(-2, -1)))
 
 
 def _compute_nees(squares: Array, degrees: Array) -> Array:

@@ -16,6 +16,10 @@ from ins_eval.study.witness.block import TESTS
 from pyhrg.common.arrays import Array
 
 AXES = ("north", "east")
+ERRORS = ("flown", "by_bench", "by_channels", "by_self_test", "told", "known")
+"""Errors of a flight, north and east (`WitnessedFlight`)."""
+LINEAR = ("bound", "true")
+"""Predictions that the linear model takes out of a flight."""
 KEYS = ("calibration", "mission_class", "mission", "triad", "self_test_s")
 """Columns that name a flight."""
 
@@ -54,7 +58,9 @@ def tabulate_witnesses(
         predictions["bound"] = NormalPrediction(bound[:, None], predictions["told"].covariance)
         predictions["true"] = true
         columns: dict[str, Any] = {"triad": rows, "self_test_s": np.full(len(rows), test)}
-        for name in ("flown", "by_bench", "by_channels", "by_self_test", "told", "known"):
+        # maps that no flight has are taken out by the linear model
+        here |= {f"by_{key}": here["flown"] - predictions[key].expected[:, 0] for key in LINEAR}
+        for name in (*ERRORS, *(f"by_{key}" for key in LINEAR)):
             columns |= {f"{name}_{axis}_m": here[name][:, i] for i, axis in enumerate(AXES)}
         for key, prediction in predictions.items():
             ends = {"low": (1 - inside) / 2, "median": 0.5, "high": (1 + inside) / 2}
@@ -62,6 +68,10 @@ def tabulate_witnesses(
                 f"{key}_{name}_m": prediction.radius(share)[:, 0] for name, share in ends.items()
             }
         columns |= {name: here[name].sum(axis=1) for name in ("squares", "degrees")}
+        missed = here["told"] - true.expected[:, 0]
+        columns["position_square"] = np.einsum(
+            "ri,rij,rj->r", missed, np.linalg.inv(here["told_covariance"]), missed
+        )
         columns["smallest_p"] = here["p_values"].min(axis=1)
         tables.append(pd.DataFrame(columns))
     return pd.concat(tables, ignore_index=True)

@@ -1,4 +1,4 @@
-"""Estimates from the channels of a triad's gyros in one flight, and their position errors."""
+"""Estimates from the channels of triads' gyros in flights, and their position errors."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -72,26 +72,41 @@ def read_true_changes(device: Device, flight: Flight) -> Array:
     return np.where(TEMPERATURE_RATE, read_values(flown), changes)
 
 
-def witness_triad(
-    fast: GyroFmu,
+def witness_flights(
+    fmus: tuple[GyroFmu, GyroFmu],
+    weights: MissionWeights,
+    triads: Sequence[DrawnTriad],
+    believed: Sequence[Sequence[BelievedGyro]],
+    flights: Sequence[ChannelFlight],
+) -> list[WitnessedFlight]:
+    """Estimates from flights of triads with one kind of start, predictions, and corrections.
+
+    fmus: `HRG` and `HRGSlow`; weights: at the mission's end alone; believed: gyros of each triad.
+    """
+    fits = _fit(fmus, believed, [each.witnesses for each in flights])
+    early = fits
+    if flights[0].self_test:
+        aligned = round(STILL / flights[0].witnesses[0].interval)
+        before = [[each.take(aligned) for each in flight.witnesses] for flight in flights]
+        early = _fit(fmus, believed, before)
+    return [
+        _judge(fmus[1], weights, *each)
+        for each in zip(triads, believed, flights, fits, early, strict=True)
+    ]
+
+
+def _judge(
     slow: GyroFmu,
     weights: MissionWeights,
     triad: DrawnTriad,
     believed: Sequence[BelievedGyro],
     flight: ChannelFlight,
+    fits: Sequence[FittedChanges],
+    early: Sequence[FittedChanges],
 ) -> WitnessedFlight:
-    """Estimates from a flight, its prediction, and its corrections.
-
-    fast: `HRG`; slow: `HRGSlow`; weights: at the mission's end alone; believed: the triad's gyros.
-    """
-    fits = _fit(fast, slow, believed, flight.witnesses)
+    """early: estimates until the alignment ended."""
     known = _tell(slow, believed, None, flight)
     told = _tell(slow, believed, fits, flight)
-    early = told
-    if flight.self_test:
-        aligned = round(STILL / flight.witnesses[0].interval)
-        before = [each.take(aligned) for each in flight.witnesses]
-        early = _tell(slow, believed, _fit(fast, slow, believed, before), flight)
     start, none = flight.patterns[0], np.zeros((1, 1, 2, 2))
     predictions = [predict_error(weights, maps, start, none) for maps in (told, known)]
     true = [read_true_changes(b.device, f) for b, f in zip(believed, triad.flights, strict=True)]
@@ -105,7 +120,9 @@ def witness_triad(
         flown=flight.navigate()[-1],
         by_bench=_correct(flight, known),
         by_channels=_correct(flight, told),
-        by_self_test=_correct(flight, early) if flight.self_test else np.full(2, np.nan),
+        by_self_test=_correct(flight, _tell(slow, believed, early, flight))
+        if flight.self_test
+        else np.full(2, np.nan),
         told=predictions[0].expected[0, -1],
         known=predictions[1].expected[0, -1],
         told_covariance=predictions[0].covariance[0, -1],
@@ -117,15 +134,18 @@ def witness_triad(
 
 
 def _fit(
-    fast: GyroFmu,
-    slow: GyroFmu,
-    believed: Sequence[BelievedGyro],
-    witnesses: Sequence[Witnesses],
-) -> list[FittedChanges]:
+    fmus: tuple[GyroFmu, GyroFmu],
+    believed: Sequence[Sequence[BelievedGyro]],
+    witnesses: Sequence[Sequence[Witnesses]],
+) -> list[list[FittedChanges]]:
+    """Estimates of the gyros of each triad, replayed side by side."""
     gyros = [
-        Flown(b.device, w, b.prior, b.responses) for b, w in zip(believed, witnesses, strict=True)
+        Flown(b.device, w, b.prior, b.responses)
+        for triad, channels in zip(believed, witnesses, strict=True)
+        for b, w in zip(triad, channels, strict=True)
     ]
-    return fit_changes(fast, slow, gyros)
+    fits = fit_changes(*fmus, gyros)
+    return [fits[first : first + AXES] for first in range(0, len(fits), AXES)]
 
 
 def _tell(

@@ -81,6 +81,15 @@ def test_the_map_is_told(flights: list[Flight], responses: Responses) -> None:
     assert min(each.fitted.p_value for each in flights) > 1e-3
 
 
+def test_an_estimate_does_not_depend_on_the_others(
+    fmu: GyroFmu, slow_fmu: GyroFmu, flights: list[Flight], responses: Responses
+) -> None:
+    """Gyros are replayed side by side until each has settled: the same bits as one by one."""
+    (alone,) = fit(fmu, slow_fmu, [flights[1].log], responses)
+    assert np.array_equal(alone.changes, flights[1].fitted.changes)
+    assert np.array_equal(alone.covariance, flights[1].fitted.covariance)
+
+
 def test_bursts_do_no_harm(
     fmu: GyroFmu, slow_fmu: GyroFmu, flights: list[Flight], responses: Responses
 ) -> None:

@@ -10,7 +10,7 @@ from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
 from pyhrg.theory import closed_forms
 from pyhrg.witness.design import Motion, compute_design, stack_signals
 from pyhrg.witness.mechanisms import COUNT, MECHANISMS, NAMES, change_device, find, read_values
-from pyhrg.witness.responses import Responses
+from pyhrg.witness.responses import Responses, measure_channels
 from tests.pyhrg.witness.flights import GYRO
 
 FOURTH = slice(3, 5)
@@ -38,6 +38,14 @@ def test_bias_at_rest(responses: Responses, name: str) -> None:
     size = max(np.abs(found).max(), 1e-9)
     assert found[FOURTH] == pytest.approx(expected, abs=0.01 * size)
     assert found[0] == pytest.approx(mean, abs=0.01 * size)
+
+
+def test_channels_have_no_noise(slow_fmu: GyroFmu) -> None:
+    """A map is read off a simulation of some minutes, in which a random walk of 6e-4 deg/sqrt(h)
+    makes harmonics of 2e-3 deg/h."""
+    noisy = replace(GYRO, angle_random_walk=1.75e-7)
+    quiet, same = measure_channels(slow_fmu, [GYRO.without_noise(), noisy])
+    assert np.array_equal(same, quiet)
 
 
 FORCES_AT_REST = ["damping anisotropy, cosine", "damping anisotropy, sine"]

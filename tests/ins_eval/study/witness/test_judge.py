@@ -10,9 +10,11 @@ from ins_eval.study.witness.judge import (
     CORRECTIONS,
     COVERAGE,
     NEES,
+    POSITION_NEES,
     PREDICTORS,
     R2,
     SHUFFLED,
+    WORST,
     WitnessScore,
     list_figures,
     score_witnesses,
@@ -36,6 +38,8 @@ def scores() -> list[WitnessScore]:
             "by_bench": flown,
             "by_channels": flown - told,
             "by_self_test": np.full_like(flown, np.nan),
+            "by_bound": flown - told,
+            "by_true": np.full_like(flown, 1.0),
         }
         table = {f"{k}_{a}_m": v[:, i] for k, v in errors.items() for i, a in enumerate(AXES)}
         size = {"told": told, "bound": told, "true": flown, "known": flown[::-1]}
@@ -43,6 +47,7 @@ def scores() -> list[WitnessScore]:
             radial = np.linalg.norm(vector, axis=-1)
             ends = {"low": radial - 165, "median": radial, "high": radial + 165}
             table |= {f"{key}_{end}_m": values for end, values in ends.items()}
+        table["position_square"] = np.square((told - flown) / 100.0).sum(axis=1)
         table |= {"squares": np.full(TRIADS, 48.0), "degrees": np.full(TRIADS, 48.0)}
         rows = pd.DataFrame(table).assign(mission_class=name, mission=name)
         tables.append(rows.assign(triad=range(TRIADS), calibration="map", self_test_s=0.0))
@@ -64,9 +69,14 @@ def test_scores_are_what_was_made(scores: list[WitnessScore]) -> None:
     assert select(scores, R2, "known").high < 0.5
     assert select(scores, CORRECTED, "by_channels").value == pytest.approx(0.1, abs=0.03)
     assert select(scores, CORRECTED, "by_bench").value == pytest.approx(1.0)
+    assert select(scores, WORST, "by_bench").value == pytest.approx(1.0)
+    assert select(scores, WORST, "by_true").value < 0.01
+    assert 0.1 < select(scores, WORST, "by_channels").value < 0.5
     coverage = select(scores, COVERAGE, "told")
     assert coverage.low < 0.9 < coverage.high
     assert select(scores, NEES, "told").value == pytest.approx(1.0)
+    position = select(scores, POSITION_NEES, "told")
+    assert position.low < 1.0 < position.high
 
 
 def test_another_triads_channels_gain_nothing(scores: list[WitnessScore]) -> None:

@@ -17,17 +17,15 @@ from scipy.signal import lfilter
 from pyhrg.common.arrays import Array
 from pyhrg.common.caches.compiled import compile_loop
 from pyhrg.device.device import Device
-from pyhrg.gap.replay.observations import ObservedTest
+from pyhrg.gap.replay.observations import CHANNEL_WORDS, ObservedTest
 from pyhrg.gap.soundness.fault import TABLE_RIPPLES, FaultKind
 
 PATTERN_HARMONICS = range(1, 19)
-"""Harmonics of the pattern angle. Chosen: a cause that is no sine has multiples of its harmonic;
-what is missing here of a large one is read as other terms."""
+"""Harmonics of the pattern angle. Chosen: what is missing of a large cause looks like others."""
 TABLE_HARMONICS = (1, *TABLE_RIPPLES)
 """Harmonics of the table angle. Chosen."""
 RATE_HARMONICS = (1, 2, 4)
-"""Harmonics of the pattern angle that also appear in proportion to the rate, as loops follow the
-turning pattern. Chosen."""
+"""Harmonics of the pattern angle that also appear times the rate, as loops lag. Chosen."""
 TEMPERATURE_POWERS = (1, 2, 3)
 """Powers of the temperature. Chosen."""
 HYSTERESIS_WIDTHS = (2, 5, 10, 20)
@@ -40,6 +38,13 @@ WARM_UP_TIMES = (60.0, 150.0, 400.0, 1000.0, 2500.0, 6000.0)
 """Time constants of transients after power-on, s. Chosen: about a factor of 2.5 apart."""
 SMOOTHING_TIME = 300.0
 """Time over which the slope of a noisy temperature log is taken, s. Chosen."""
+ANISOTROPY_FACTORS = (
+    ("temperature", "the temperature"),
+    *(("acceleration", f"acceleration {axis}") for axis in "xyz"),
+    ("amplitude", "the amplitude"),
+    ("time", "the time"),
+)
+"""Coordinates that an anisotropy of damping or stiffness may follow, with the function of each."""
 Functions = Iterator[tuple[str, str, int | None, Array]]
 """Coordinate, words, harmonic and (n,) or (n, b) values."""
 Family = tuple[str, str, str]
@@ -68,7 +73,7 @@ class CandidateTerm:
     @property
     def words(self) -> str:
         """Description for reports."""
-        return f"{self.function} ({self.channel})"
+        return f"{self.function} ({CHANNEL_WORDS[self.channel]})"
 
     @property
     def family(self) -> Family:
@@ -99,8 +104,7 @@ class CandidateTerm:
 
     @property
     def fault(self) -> FaultKind | None:
-        """The fault of the bench that it is: a ripple of the table, which the encoder does not
-        show."""
+        """The fault of the bench that it is: a ripple of the table, unseen by its encoder."""
         return TABLE_RIPPLES.get(self.harmonic or 0) if self.is_encoder_error else None
 
 
@@ -148,6 +152,7 @@ class Coordinates:
             "the rate": self.table_rate,
             "the temperature": self.resonator / 10,
             "the amplitude": self.amplitude,
+            "the time": log.time / 3600,
             **forces,
             **{f"{words} squared": force**2 for words, force in forces.items()},
         }
@@ -199,11 +204,14 @@ def _generate_functions(where: Coordinates) -> Functions:
     yield from _generate_acceleration_functions(where)
     yield "amplitude", "amplitude", None, where.amplitude
     yield "amplitude", "amplitude squared", None, where.amplitude * (2 + where.amplitude)
+    yield from _generate_anisotropies(where)
     time = where.test.log.time
     yield "time", "time since power-on", None, time / 3600
     for constant in WARM_UP_TIMES:
-        settling = np.exp(-time / constant)
-        yield "time", f"settling in {constant:g} s", None, settling
+        yield "time", f"settling in {constant:g} s", None, np.exp(-time / constant)
+    for period in where.test.periods:
+        cycle = make_harmonic(2 * math.pi * time / period)
+        yield "time", f"harmonic 1 of a period of {period:g} s", 1, cycle
     yield "time", EACH_POWER_ON, None, np.ones(len(time))
 
 
@@ -217,12 +225,16 @@ def _generate_angle_functions(where: Coordinates) -> Functions:
         yield "table_angle", words, m, make_harmonic(m * where.table_angle)
 
 
+def _generate_anisotropies(where: Coordinates) -> Functions:
+    """What an anisotropy of damping or stiffness gives that follows another coordinate."""
+    words, fourth = "harmonic 4 of the pattern angle", make_harmonic(4 * where.pattern_angle)
+    for coordinate, second in ANISOTROPY_FACTORS:
+        yield coordinate, *where.multiply(words, fourth, second)
+
+
 def _generate_temperature_functions(where: Coordinates) -> Functions:
     for p in TEMPERATURE_POWERS:
         yield "temperature", f"temperature^{p}", None, (where.resonator / 10) ** p
-    fourth = make_harmonic(4 * where.pattern_angle)
-    words = "harmonic 4 of the pattern angle"
-    yield "temperature", *where.multiply(words, fourth, "the temperature")
     yield "temperature", "temperature of the case", None, where.case / 10
     rate, words = where.case_rate, "of the temperature rate"
     yield "temperature_rate", "temperature rate", None, rate * 60

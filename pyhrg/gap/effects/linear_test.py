@@ -1,7 +1,7 @@
 """One test linearized around a simulated device, and its series whitened."""
 
 from collections.abc import Collection, Hashable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -77,6 +77,10 @@ class LinearTest:
     kept: dict[str, tuple[Hashable, WhitenedTerms]] = field(
         default_factory=dict, init=False, compare=False, repr=False
     )
+
+    def observe(self, test: ObservedTest) -> "LinearTest":
+        """A copy of this linear model for the test with more observed of it."""
+        return replace(self, test=test, where=replace(self.where, test=test))
 
     def responses(self, channel: str, outputs: Sequence[Jump] = ()) -> Array:
         """(n, p + 1) sensitivities to all effects, steps of the output alone, and the residual."""

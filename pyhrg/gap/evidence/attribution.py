@@ -26,6 +26,7 @@ from pyhrg.gap.evidence.hypothesis import (
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
 from pyhrg.gap.evidence.posterior import Posterior, average_posteriors, compare_noises
+from pyhrg.gap.evidence.residual_features import compute_checked_residuals, find_period
 from pyhrg.gap.evidence.search import Ranking
 from pyhrg.gap.evidence.step import (
     LINEARIZATION_ERROR,
@@ -53,6 +54,8 @@ LINEAR_DISTANCE = math.sqrt(NEGLIGIBLE_CHI2 / LINEARIZATION_ERROR)
 """Mahalanobis length of a step with a negligible linearization error: 32 sigma. Derived."""
 MAX_ROUNDS = 20
 """Number of iterations after which the search ends unconverged. Chosen."""
+LINE_WIDTH = 0.02
+"""Share of a period by which that of another line differs. Chosen."""
 UNSETTLED_ROUNDS = 4
 """Number of last rounds whose posteriors are averaged then. Chosen: more than the sets between
 which searches were seen to alternate."""
@@ -203,9 +206,9 @@ class _Iteration:
 
     def search(self) -> Hypothesis:
         """The most probable hypothesis; noises are compared again where the best set changed."""
-        nominal, parts = self._nominal, self.parts
+        nominal = self._nominal
         if self._linearization_error == math.inf:
-            excess = compute_excess_power(parts, estimate_nominal_noise(nominal, parts))
+            excess = compute_excess_power(self.parts, estimate_nominal_noise(nominal, self.parts))
             self._linearization_error = LINEARIZATION_ERROR * sum(excess.values())
         hypothesis = self._rank()
         length = self.step_length(hypothesis)
@@ -221,17 +224,35 @@ class _Iteration:
             others = self.posterior.hypotheses[1:]
             self.posterior = replace(self.posterior, hypotheses=(hypothesis, *others))
         else:
-            self.posterior = compare_noises(hypothesis, nominal, parts, self._catalogue.noises)
+            self.posterior = compare_noises(hypothesis, nominal, self.parts, self._catalogue.noises)
             is_near = self.step_length(hypothesis) < LINEAR_DISTANCE
             self._compared_groups = self.posterior.best.ranking.best.groups if is_near else None
         return self.posterior.best
 
     def _rank(self) -> Hypothesis:
         """Sets under the present noise, at last beside the forms that terms may have."""
-        nominal, parts, error = self._nominal, self.parts, self._linearization_error
+        nominal, error = self._nominal, self._linearization_error
         if error:
-            return rank_under_noise(self.noise, nominal, parts, error)
-        return rank_with_forms(self.noise, nominal, parts)
+            return rank_under_noise(self.noise, nominal, self.parts, error)
+        hypothesis = rank_with_forms(self.noise, nominal, self.parts)
+        if self._take_period(hypothesis):
+            hypothesis = rank_with_forms(self.noise, nominal, self.parts)
+        return hypothesis
+
+    def _take_period(self, hypothesis: Hypothesis) -> bool:
+        """Let terms have the period of the line that the residual shows without the effects of a
+        hypothesis; whether it is a new one."""
+        effects = dict[Group, Array](hypothesis.effect_sizes.items())
+        period = find_period(
+            compute_checked_residuals(hypothesis, effects, self.parts, self._nominal)
+        )
+        known = self._tests[0].periods
+        if period is None or any(math.isclose(period, p, rel_tol=LINE_WIDTH) for p in known):
+            return False
+        self._tests = [replace(test, periods=(period,)) for test in self._tests]
+        pairs = zip(self.parts, self._tests, strict=True)
+        self.parts = [part.observe(test) for part, test in pairs]
+        return True
 
     def _allow_linearization_error(self, chi2: float, hypothesis: Hypothesis) -> None:
         """Allow this error. Where the search returns to a set that it had left, it may alternate

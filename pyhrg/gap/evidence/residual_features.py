@@ -5,7 +5,7 @@ No coordinate of a test predicts either of them (docs/methods/evidence.md, Eqs. 
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import groupby
 
 import numpy as np
@@ -13,9 +13,14 @@ from numpy.typing import NDArray
 from scipy.special import expit, logsumexp
 
 from pyhrg.common.arrays import Array
+from pyhrg.device.device import Device
+from pyhrg.gap.effects.linear_test import LinearTest
 from pyhrg.gap.evidence.evidence import HALF_UNNAMED_ODDS, log_evidence
+from pyhrg.gap.evidence.hypothesis import Hypothesis
 from pyhrg.gap.evidence.noise.noise_posterior import TOLERANCE
-from pyhrg.gap.evidence.residuals import Residual
+from pyhrg.gap.evidence.noise.quantization import is_coarsely_quantized
+from pyhrg.gap.evidence.residuals import Removed, Residual, compute_residuals
+from pyhrg.gap.replay.observations import CHANNEL_WORDS, CHANNELS
 
 MIN_READINGS = 16
 """Readings that a stretch must have. Chosen."""
@@ -38,10 +43,12 @@ class ResidualFeature:
 
     words: what it is and where.
     log_odds: posterior log odds that it is there.
+    period: of a line, s.
     """
 
     words: str
     log_odds: float
+    period: float | None = None
 
     @property
     def probability(self) -> float:
@@ -49,13 +56,37 @@ class ResidualFeature:
         return float(expit(self.log_odds))
 
 
+def compute_checked_residuals(
+    hypothesis: Hypothesis, removed: Removed, parts: Sequence[LinearTest], nominal: Device
+) -> list[Residual]:
+    """Residuals in which features are looked for, without these groups, under the noise of a
+    hypothesis.
+
+    An output angle that is coarsely quantized is left out: its quantization error repeats with the
+    angle. So are channels in which the noise of a coarse thermometer shows.
+    """
+    noise = hypothesis.channel_noise
+    is_coarse = is_coarsely_quantized(hypothesis.noise, nominal)
+    channels = CHANNELS[1:] if is_coarse else CHANNELS
+    errors = {(b.test, b.channel): b.model_error for b in hypothesis.design.blocks}
+    return [
+        r
+        for r in compute_residuals(parts, removed, noise, nominal, channels, errors)
+        if not (r.channel in noise.per_kelvin and noise.reading_steps[r.test])
+    ]
+
+
 def find_residual_features(residuals: Sequence[Residual]) -> tuple[ResidualFeature, ...]:
     """The most probable line and the most probable stretch, each with the odds of any, in residuals
     of all tests and channels. Those of a few rows, and those that are zero throughout, are left
     out."""
-    usable = [r for r in residuals if len(r.values) >= 2 * MIN_READINGS and r.values.any()]
+    usable = _list_usable(residuals)
     kinds = [list(_lines(usable)), list(_stretches(usable))]
     return tuple(_combine(alternatives) for alternatives in kinds if alternatives)
+
+
+def _list_usable(residuals: Sequence[Residual]) -> list[Residual]:
+    return [r for r in residuals if len(r.values) >= 2 * MIN_READINGS and r.values.any()]
 
 
 def _combine(alternatives: Sequence[ResidualFeature]) -> ResidualFeature:
@@ -63,11 +94,19 @@ def _combine(alternatives: Sequence[ResidualFeature]) -> ResidualFeature:
     best = max(alternatives, key=lambda feature: feature.log_odds)
     total = float(logsumexp([feature.log_odds for feature in alternatives]))
     log_odds = total - math.log(len(alternatives)) + math.log(HALF_UNNAMED_ODDS)
-    return ResidualFeature(best.words, log_odds)
+    return replace(best, log_odds=log_odds)
+
+
+def find_period(residuals: Sequence[Residual]) -> float | None:
+    """Period of the most probable line, s, where a line is more probable than not."""
+    lines = list(_lines(_list_usable(residuals)))
+    line = _combine(lines) if lines else None
+    return line.period if line and line.log_odds > 0 else None
 
 
 def _lines(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
-    """A line in each test alone, and in all tests of one row length together, by channel."""
+    """A line in each test alone, and in all tests of one row length together, of any phase in each
+    or of one phase since power-on, by channel."""
     order = sorted(residuals, key=lambda r: (r.channel, r.interval))
     for (channel, interval), group in groupby(order, key=lambda r: (r.channel, r.interval)):
         alike = list(group)
@@ -75,35 +114,48 @@ def _lines(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
         spans = [int(row[-1]) + 1 for row in rows]
         size = 1 << math.ceil(math.log2(FREQUENCIES_PER_WIDTH * max(spans)))
         slowest = [math.ceil(MIN_CYCLES * size / span) for span in spans]
-        powers = [
-            _spectrum(r, own, first, size) / (1 + r.model_error)
-            for r, own, first in zip(alike, rows, slowest, strict=True)
-        ]
-        sets = [([k], power) for k, power in enumerate(powers)]
+        spectra = np.array(
+            [_spectrum(*own, size) for own in zip(alike, rows, slowest, strict=True)]
+        )
+        powers = np.abs(spectra) ** 2
+        sets = [([k], power, 2) for k, power in enumerate(powers)]
         if len(alike) > 1:
-            sets.append((list(range(len(alike))), np.sum(powers, axis=0)))
-        for tests, power in sets:
+            everywhere, lengths = list(range(len(alike))), np.array([len(row) for row in rows])
+            in_phase = np.abs(np.sqrt(lengths) @ spectra) ** 2 / lengths.sum()
+            sets.append((everywhere, powers.sum(axis=0), 2 * len(alike)))
+            sets.append((everywhere, in_phase, 2))
+        for tests, power, degrees in sets:
             first = min(slowest[k] for k in tests)
-            score = log_evidence(power[first:-1], 2 * len(tests))
-            period = size * interval / (first + int(np.argmax(score)))
+            score = log_evidence(power[first:-1], degrees)
+            period = size * interval / _find_peak(power, first + int(np.argmax(score)))
             where = alike[tests[0]].test if len(tests) == 1 else f"{len(tests)} tests"
             yield ResidualFeature(
-                f"periodic in {period:.4g} s in {where} ({channel})",
+                f"periodic in {period:.4g} s in {where} ({CHANNEL_WORDS[channel]})",
                 float(logsumexp(score)) - math.log(len(score)),
+                period,
             )
 
 
-def _spectrum(r: Residual, rows: NDArray[np.int64], slowest: int, size: int) -> Array:
-    """(size / 2 + 1,) decrease of chi-square by a line at each frequency; zero below the slowest.
+def _find_peak(power: Array, index: int) -> float:
+    """Where the parabola through the largest value and its neighbours is largest, as an index."""
+    before, peak, after = power[index - 1 : index + 2]
+    return float(index + (before - after) / (2 * (before - 2 * peak + after)))
+
+
+def _spectrum(
+    r: Residual, rows: NDArray[np.int64], slowest: int, size: int
+) -> NDArray[np.complex128]:
+    """(size / 2 + 1,) root of the decrease of chi-square by a line at each frequency, with its
+    phase since power-on; zero below the slowest.
 
     Sigma is that of the residual itself where it exceeds that of the noise model.
     """
     series = np.zeros(size)
     series[rows] = r.white
     level = max(float(np.mean(r.white**2)), 1.0)
-    power = 2 * np.abs(np.fft.rfft(series)) ** 2 / (len(rows) * level)
-    power[:slowest] = 0.0
-    return np.asarray(power)
+    lines = np.fft.rfft(series) * math.sqrt(2 / (len(rows) * level * (1 + r.model_error)))
+    lines[:slowest] = 0.0
+    return np.asarray(lines)
 
 
 def _stretches(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
@@ -125,7 +177,7 @@ def _stretches(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
                 score = _log_evidence_of_level(level, length, information)
                 first = r.times[begins[int(np.argmax(score))] * rows]
                 yield ResidualFeature(
-                    f"noise of its own in {r.test} from {first:.0f} s ({r.channel})",
+                    f"noise of its own in {r.test} from {first:.0f} s ({CHANNEL_WORDS[r.channel]})",
                     float(logsumexp(score)) - math.log(len(score)),
                 )
                 length //= 2

@@ -4,7 +4,8 @@ Method: docs/methods/verdict.md.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -17,11 +18,12 @@ from pyhrg.gap.evidence.equivalence.known_equivalents import find_known_equivale
 from pyhrg.gap.evidence.evidence import find_equivalents
 from pyhrg.gap.evidence.hypothesis import sigma_along
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise
-from pyhrg.gap.evidence.noise.quantization import is_coarsely_quantized
-from pyhrg.gap.evidence.residual_features import ResidualFeature, find_residual_features
-from pyhrg.gap.evidence.residuals import compute_residuals
+from pyhrg.gap.evidence.residual_features import (
+    ResidualFeature,
+    compute_checked_residuals,
+    find_residual_features,
+)
 from pyhrg.gap.findings.diagnosis import Cause, KnownValue, Verdict
-from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.soundness.fault import compute_beyond_probability
 
 UNEXPLAINED_PROBABILITY = 0.5
@@ -35,23 +37,10 @@ MENTIONED_PROBABILITY = 0.01
 
 
 def check_residuals(attribution: Attribution) -> tuple[ResidualFeature, ...]:
-    """Lines and stretches of other noise in the residuals of the most probable hypothesis.
-
-    An output angle that is coarsely quantized is left out: its quantization error repeats with the
-    angle. So are channels in which the noise of a coarse thermometer shows.
-    """
-    noise, nominal = attribution.channel_noise, attribution.nominal
-    is_coarse = is_coarsely_quantized(attribution.noise, nominal)
-    channels = CHANNELS[1:] if is_coarse else CHANNELS
-    sizes = attribution.posterior.best.sizes
-    errors = {(b.test, b.channel): b.model_error for b in attribution.design.blocks}
-    residuals = compute_residuals(attribution.parts, sizes, noise, nominal, channels, errors)
+    """Lines and stretches of other noise in the residuals of the most probable hypothesis."""
+    best = attribution.posterior.best
     return find_residual_features(
-        [
-            r
-            for r in residuals
-            if not (r.channel in noise.per_kelvin and noise.reading_steps[r.test])
-        ]
+        compute_checked_residuals(best, best.sizes, attribution.parts, attribution.nominal)
     )
 
 
@@ -98,7 +87,6 @@ def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[
     causes = []
     best, posterior, nominal = attribution.ranking.best, attribution.posterior, attribution.nominal
     known = posterior.best.exact
-    covariances = dict(zip(best.groups, best.covariances, strict=True))
     hidden = find_hidden_effects(attribution.design, best, effects)
     for effect, size in best.named.items():
         if effect in known.effects:
@@ -116,7 +104,7 @@ def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[
                 effect.name,
                 posterior.probability(effect.name, *others),
                 effect.parameters(total),
-                _intervals(effect, total, covariances[effect]),
+                _intervals(effect, total, partial(posterior.compute_sigma, effect, size)),
                 (*others, *(name for name in imitators if name not in others)),
             )
         )
@@ -132,7 +120,7 @@ def _find_known_causes(attribution: Attribution, effects: Sequence[Effect]) -> l
         total = effect.vector(nominal) + size
         probability = _compute_beyond(effect.tolerance_of(nominal), size, covariance)
         if probability > BEYOND_PROBABILITY:
-            intervals = _intervals(effect, total, covariance)
+            intervals = _intervals(effect, total, partial(sigma_along, covariance=covariance))
             values, candidates = effect.parameters(total), (*effects, *known.effects)
             others = find_known_equivalents(known, fitted, nominal, effect, candidates)
             others = (*others, *_list_imitators(effect.name, *others))
@@ -158,7 +146,9 @@ def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
                     key.name,
                     parameters[key.name],
                     effect.parameters(told)[key.name],
-                    _intervals(effect, total, covariance)[key.name],
+                    _intervals(effect, total, partial(sigma_along, covariance=covariance))[
+                        key.name
+                    ],
                     tolerance / key.factor,
                     parameters,
                 )
@@ -172,23 +162,25 @@ def _compute_beyond(tolerance: float, size: Array, covariance: Array) -> float:
     return compute_beyond_probability(length - tolerance, sigma_along(size, covariance))
 
 
-def _intervals(effect: Effect, vector: Array, covariance: Array) -> dict[str, tuple[float, float]]:
-    """95 % interval of each parameter alone (Eq. (3)): a magnitude has its standard deviation along
-    the vector, its angle the one across it."""
+def _intervals(
+    effect: Effect, vector: Array, sigma: Callable[[Array], float]
+) -> dict[str, tuple[float, float]]:
+    """95 % interval of each parameter alone (Eq. (3)), from the standard deviation along a unit
+    vector: a magnitude has that along the vector, its angle the one across it."""
     if not effect.periods:
         (key,) = effect.keys
-        half_width = NORMAL_95 * math.sqrt(float(covariance[0, 0]))
+        half_width = NORMAL_95 * sigma(np.ones(1))
         return {key.name: _in_units(key, float(vector[0]), half_width)}
     magnitude, angle = effect.keys
     length = float(np.hypot(*vector))
     along = vector / length if length else np.array([1.0, 0.0])
     across = np.array([-along[1], along[0]])
     half_turn = math.pi / effect.periods
-    half_widths = [NORMAL_95 * math.sqrt(float(d @ covariance @ d)) for d in (along, across)]
+    half_widths = [NORMAL_95 * sigma(direction) for direction in (along, across)]
     turn = min(half_widths[1] / (length * effect.periods), half_turn) if length else half_turn
-    direction = angle.to_si(effect.parameters(vector)[angle.name])
+    axis = angle.to_si(effect.parameters(vector)[angle.name])
     low, high = _in_units(magnitude, length, half_widths[0])
-    return {magnitude.name: (max(low, 0.0), high), angle.name: _in_units(angle, direction, turn)}
+    return {magnitude.name: (max(low, 0.0), high), angle.name: _in_units(angle, axis, turn)}
 
 
 def _in_units(key: Key, value: float, half_width: float) -> tuple[float, float]:

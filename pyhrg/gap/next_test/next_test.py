@@ -133,6 +133,7 @@ def compute_separations(
         for power_on in power_ons:
             coarse = replace(bench, step=min(COARSE_STEP, power_on.programme.interval))
             test = observe_test(coarse.log(power_on), bench.device)
+            test = replace(test, periods=attribution.parts[0].test.periods)
             parts.append(_linearize(simulation, attribution, test, sizes[0], groups))
         designs = []
         for h in hypotheses:
@@ -255,7 +256,7 @@ def _why(order: Sequence[Separation], pairs: Sequence[Pair], hypotheses: Sequenc
     ]
     separations = [
         f"{_words(hypotheses[i], hypotheses[j])} by {best.sigmas[i, j]:.2g} sigma "
-        f"({second.kind} by {second.sigmas[i, j]:.2g})"
+        f"({second.kind.replace('_', ' ')} by {second.sigmas[i, j]:.2g})"
         for i, j in hardest
     ]
     return f"one hour of it separates {'; '.join(separations)}"

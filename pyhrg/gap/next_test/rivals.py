@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from pyhrg.device.declarations import format_effect
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Design, list_forms
 from pyhrg.gap.effects.linear_test import Group
@@ -35,8 +36,10 @@ class Rival:
     @property
     def words(self) -> list[str]:
         """What takes part, in words."""
-        groups = (g.name if isinstance(g, Effect) else g.words for g in self.fit.groups)
-        return [*groups, *self.noises]
+        groups = (
+            format_effect(g.name) if isinstance(g, Effect) else g.words for g in self.fit.groups
+        )
+        return [*groups, *map(format_effect, self.noises)]
 
 
 def find_rivals(attribution: Attribution, effects: Sequence[Effect]) -> list[Rival]:

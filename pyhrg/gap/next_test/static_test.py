@@ -8,6 +8,7 @@ import math
 from scipy.optimize import brentq, minimize_scalar
 
 from pyhrg.common.units import HOUR
+from pyhrg.device.declarations import format_effect
 from pyhrg.gap.effects.catalogue import NOISE_EFFECTS
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_levels import LEVEL_RANGE
@@ -31,7 +32,7 @@ def suggest_static_test(hypothesis: NoiseHypothesis, stated: NoiseModel) -> Next
     if not durations or any(math.isinf(hours) for hours, _, _ in durations):
         return None
     hours, added, name = max(durations, key=lambda duration: duration[0])
-    pair = f"{added.effect.name} from {name}"
+    pair = f"{format_effect(added.effect.name)} from {format_effect(name)}"
     why = f"{hours:g} h of rest separate {pair} by {SEPARATION_SIGMA:g} sigma"
     return NextTest("static", why, hours)
 

@@ -16,13 +16,14 @@ from pyhrg.records.campaign import Test
 
 Mask = NDArray[np.bool_]
 
-CHANNELS = (
-    "gyro_angle",
-    "amplitude",
-    "amplitude_force",
-    "quadrature_force",
-    "frequency_offset",
-)
+CHANNEL_WORDS = {
+    "gyro_angle": "output angle",
+    "amplitude": "amplitude",
+    "amplitude_force": "amplitude force",
+    "quadrature_force": "quadrature force",
+    "frequency_offset": "loop frequency",
+}
+CHANNELS = tuple(CHANNEL_WORDS)
 """Fields of a log that are compared. The wave angle is not: the output angle follows from it."""
 LOOP_COMMANDS = ("drive_on", "virtual_rotation", "amplitude_setpoint", "phase_offset")
 """Commands whose change puts the loops, and through them the pattern, into a transient."""
@@ -67,6 +68,7 @@ class ObservedTest:
         bench's angles add to a comparison; a channel without any is missing.
     noise_growth: (n,) by channel: standard deviation of its noise over that at nominal amplitude;
         a channel whose noise does not grow is missing.
+    periods: of a line that the residuals of the campaign show, s; none where they show none.
     """
 
     test: Test
@@ -75,6 +77,7 @@ class ObservedTest:
     transient: Mask
     reading_noise: Mapping[str, Array] = field(default_factory=dict)
     noise_growth: Mapping[str, Array] = field(default_factory=dict)
+    periods: tuple[float, ...] = ()
 
     def read_noise(self, channel: str, rows: Mask | None = None) -> Array | None:
         """Reading noise of a channel in all rows or in some; None where there is none."""

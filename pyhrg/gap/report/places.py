@@ -11,7 +11,8 @@ from pyhrg.common.pages.svg import format_number
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.findings.localisation import Place
 from pyhrg.gap.findings.quantity import Size
-from pyhrg.gap.report.words import CHANNELS, COORDINATES, build_table, format_percent, show_share
+from pyhrg.gap.replay.observations import CHANNEL_WORDS
+from pyhrg.gap.report.words import COORDINATES, build_table, format_percent, show_share
 
 Key = TypeVar("Key", bound=Hashable)
 
@@ -38,16 +39,19 @@ def _build_map(where: Sequence[Place], tests: Sequence[str]) -> str:
             w.share for w in where if test in (None, w.test) and channel in (None, w.channel)
         )
 
-    header = ("Test", *(CHANNELS[c].capitalize() for c in CHANNELS), "All channels")
+    header = ("Test", *(CHANNEL_WORDS[c].capitalize() for c in CHANNEL_WORDS), "All channels")
     rows = [
         (
             html.escape(test),
-            *(_format_cell(share(test, c)) for c in CHANNELS),
+            *(_format_cell(share(test, c)) for c in CHANNEL_WORDS),
             _format_total(share(test, None)),
         )
         for test in tests
     ]
-    totals = (*(_format_total(share(None, c)) for c in CHANNELS), _format_total(share(None, None)))
+    totals = (
+        *(_format_total(share(None, c)) for c in CHANNEL_WORDS),
+        _format_total(share(None, None)),
+    )
     rows.append(("All tests", *totals))
     title = "Share of the nominal gyro's residual power beyond the noise, on the fitted tests"
     return f'<div class="heat">{build_table(title, header, rows)}</div>'
@@ -87,7 +91,7 @@ def sum_shares(where: Sequence[Place], key: Callable[[Place], Key]) -> dict[Key,
 
 def _format_place(channel: str, coordinate: str, harmonic: int | None) -> str:
     suffix = "" if harmonic is None else f", harmonic {harmonic}"
-    return f"{CHANNELS[channel]}: {COORDINATES[coordinate]}{suffix}"
+    return f"{CHANNEL_WORDS[channel]}: {COORDINATES[coordinate]}{suffix}"
 
 
 def build_scales(result: CampaignDiagnosis) -> str:
@@ -111,8 +115,8 @@ def _build_size_table(sizes: Sequence[Size]) -> str:
         (s.test, s.channel): f"{format_number(s.before)} → {format_number(s.after)}" for s in sizes
     }
     rows = [
-        (html.escape(test), *(cells.get((test, channel), "–") for channel in CHANNELS))
+        (html.escape(test), *(cells.get((test, channel), "–") for channel in CHANNEL_WORDS))
         for test in dict.fromkeys(s.test for s in sizes)
     ]
-    header = ("Test", *(words.capitalize() for words in CHANNELS.values()))
+    header = ("Test", *(words.capitalize() for words in CHANNEL_WORDS.values()))
     return build_table("Fitted tests", header, rows)

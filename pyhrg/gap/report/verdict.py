@@ -9,6 +9,7 @@ from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.effects.catalogue import EFFECTS
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, GapFigure, KnownValue
 from pyhrg.gap.findings.verdict import UNEXPLAINED_PROBABILITY
+from pyhrg.gap.replay.observations import CHANNEL_WORDS
 from pyhrg.gap.report.closing import describe_closing
 from pyhrg.gap.report.places import sum_shares
 from pyhrg.gap.report.terms import (
@@ -19,7 +20,6 @@ from pyhrg.gap.report.terms import (
     name_term,
 )
 from pyhrg.gap.report.words import (
-    CHANNELS,
     COORDINATES,
     format_name,
     format_percent,
@@ -171,7 +171,8 @@ def _say_where(diagnosis: Diagnosis) -> list[str]:
     shares = sum_shares(diagnosis.where, lambda p: (p.test, p.channel, p.coordinate))
     order = sorted(shares.items(), key=lambda pair: -pair[1])[:MAX_PLACES]
     places = [
-        f"{CHANNELS[channel]} of {test} over {COORDINATES[coordinate]} ({format_percent(share)})"
+        f"{CHANNEL_WORDS[channel]} of {test} over {COORDINATES[coordinate]} "
+        f"({format_percent(share)})"
         for (test, channel, coordinate), share in order
         if share >= MIN_SHARE or share == order[0][1]
     ]

@@ -8,6 +8,7 @@ from pyhrg.device.device import Device
 from pyhrg.device.keys import KEYS
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.linear_test import Group
+from pyhrg.gap.replay.observations import CHANNEL_WORDS
 from pyhrg.gap.soundness.fault import SOUND_VALUES
 
 SUFFIXES = {
@@ -32,13 +33,6 @@ SUFFIXES = {
 }
 """Unit of a parameter by the end of its name, longer endings first. A name without one
 is a ratio."""
-CHANNELS = {
-    "gyro_angle": "output angle",
-    "amplitude": "amplitude",
-    "amplitude_force": "amplitude force",
-    "quadrature_force": "quadrature force",
-    "frequency_offset": "loop frequency",
-}
 COORDINATES = {
     "wave_angle": "pattern angle",
     "table_angle": "table angle",
@@ -96,7 +90,7 @@ def format_group(group: Group) -> str:
     """An effect's name, or channel and function of a candidate term."""
     if isinstance(group, Effect):
         return format_effect(group.name)
-    return f"unnamed: {CHANNELS[group.channel]}, {group.function}"
+    return f"unnamed: {CHANNEL_WORDS[group.channel]}, {group.function}"
 
 
 def join_words(words: Sequence[str]) -> str:

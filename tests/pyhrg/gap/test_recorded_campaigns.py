@@ -82,7 +82,7 @@ def test_a_step_of_the_angle_is_told(simulation: Simulation, recorded_campaign: 
     found = diagnose(stepped(given, "positions_8n", 900, ARCSEC), simulation=simulation).diagnosis
     assert found.verdict == "unexplained"
     assert found.causes == ()
-    assert set(found.unnamed) == {"output alone: a step at 901 s in positions_8n (gyro_angle)"}
+    assert set(found.unnamed) == {"output alone: a step at 901 s in positions_8n (output angle)"}
 
 
 SPARKS = (

@@ -4,6 +4,7 @@ Coordinates are pure numbers: a quantity over a unit. A parameter then has the u
 (docs/methods/equation.md, Eqs. 1 to 3).
 """
 
+import math
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -12,6 +13,8 @@ from typing import NamedTuple
 from pyhrg.common.units import DEG
 from pyhrg.gap.effects.candidate_terms import HYSTERESIS_WIDTHS, THERMAL_LAGS, CandidateTerm
 
+FIRST_POWERS = {"temperature": "temperature^1", "time": "time since power-on"}
+"""Functions by their names as the second of a product, where these differ."""
 TERM_SCALE = 10.0
 """Temperature, K, and specific force, m/s^2, over which candidate terms are taken."""
 
@@ -109,6 +112,16 @@ def _angle(coordinate: Coordinate, harmonic: int) -> tuple[Basis, ...]:
     )
 
 
+def _cycle(harmonic: int, period: str) -> tuple[Basis, ...]:
+    """Cosine and sine of a harmonic of a period, s."""
+    text, phase = f"2 pi {harmonic} t/{period} s", f"{2 * math.pi * harmonic!r}*hours*3600/{period}"
+    stem = f"{harmonic}_{period.replace('.', '_')}s"
+    return tuple(
+        Basis(f"{f}{stem}", f"{f}({text})", f"{f}({phase})", 1.0, "", ("hours",))
+        for f in ("cos", "sin")
+    )
+
+
 def _power(coordinate: Coordinate, stem: str, power: int, unit_scale: float) -> Basis:
     """A power of a coordinate; `unit_scale` is the column's value at one unit of it, power 1."""
     raised = f"^{power}" if power != 1 else ""
@@ -133,7 +146,7 @@ def _rate_power(words: str) -> int:
 
 def _multiply(match: Match) -> tuple[Basis, ...]:
     """Basis functions times that of a second function."""
-    words = {"temperature": "temperature^1"}.get(match[3], match[3])
+    words = FIRST_POWERS.get(match[3], match[3])
     (second,) = _express((match[2] or "") + words)
     return tuple(
         Basis(
@@ -173,6 +186,7 @@ _FORMS: tuple[tuple[str, Callable[[Match], tuple[Basis, ...]]], ...] = (
     (r"power (\d) of (.*)", _raise_function),
     ("mean over the pattern angle", lambda m: (Basis("mean", "1", "1", 1.0, "", ()),)),
     (r"harmonic (\d+) of the pattern angle", lambda m: _angle(PATTERN, int(m[1]))),
+    (r"harmonic (\d+) of a period of (.*) s", lambda m: _cycle(int(m[1]), m[2])),
     (r"harmonic (\d+) of the table angle", lambda m: _angle(TABLE, int(m[1]))),
     (r"temperature\^(\d)", lambda m: (_power(WARMTH, "temperature", int(m[1]), _TENTH),)),
     ("temperature of the case", lambda m: (_power(CASE, "case_temperature", 1, _TENTH),)),

@@ -37,7 +37,7 @@ class UnnamedNoise:
     def words(self) -> str:
         """What it is, in words."""
         what = "rate" if self.correlated.of_rate else "angle"
-        return f"noise of the {what} that lasts {self.correlated.lag:g} s (gyro_angle)"
+        return f"noise of the {what} that lasts {self.correlated.lag:g} s (output angle)"
 
     def add_to(self, noise: NoiseModel) -> NoiseModel:
         """Another noise with this one added."""

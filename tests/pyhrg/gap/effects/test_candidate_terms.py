@@ -62,6 +62,36 @@ def test_a_term_explains_an_effect(
     assert unexplained @ unexplained < MAX_UNEXPLAINED * (effect_itself @ effect_itself)
 
 
+@pytest.mark.parametrize(
+    ("name", "channel", "second"),
+    [
+        ("frequency_split", "quadrature_force", "the time"),
+        ("frequency_split", "quadrature_force", "acceleration x"),
+        ("frequency_split", "frequency_offset", "the time"),
+        ("damping_anisotropy", "amplitude_force", "acceleration x"),
+    ],
+)
+def test_one_term_explains_an_anisotropy_that_follows_a_coordinate(
+    simulation: Simulation, name: str, channel: str, second: str
+) -> None:
+    """To loops that follow at once, a slow change of an anisotropy is its effect times the
+    coordinate."""
+    turns = np.arange(ROWS) / ROWS
+    swing = 5 * np.sin(4 * np.pi * turns)
+    log = replace(made_up_log(ROWS, noise=0.0), acceleration_x=swing, table_angle=6 * turns)
+    device = NOMINAL.without_noise()
+    observed = observe_test(Test("test", "static", "fit", log), device)
+    where = compute_coordinates(observed, simulation.simulate(device, observed), device)
+    effect = EFFECTS[name]
+    constant = compute_sensitivities(simulation, device, observed, [effect])[effect][channel]
+    changing = constant[:, :1] * where.factors[second]
+    columns = {term.function: block for term, block in build_term_columns(where, channel)}
+    term = columns[f"harmonic 4 of the pattern angle, times {second}"]
+    unexplained = changing - term @ np.linalg.lstsq(term, changing, rcond=None)[0]
+    assert np.ptp(where.pattern_angle) > 1
+    assert np.linalg.norm(unexplained) < 0.01 * np.linalg.norm(changing)
+
+
 def test_the_amplitude_coordinate_of_a_free_pattern_is_simulated() -> None:
     """With the drive on it is the commanded amplitude. The logged one is not used. A free pattern
     becomes an ellipse by its frequency split: its energy counts."""

@@ -6,7 +6,11 @@ import numpy as np
 import pytest
 
 from pyhrg.common.arrays import Array
-from pyhrg.gap.evidence.residual_features import ResidualFeature, find_residual_features
+from pyhrg.gap.evidence.residual_features import (
+    ResidualFeature,
+    find_period,
+    find_residual_features,
+)
 from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.whitening.whitening import NoiseModel
 
@@ -20,11 +24,14 @@ def found(
     series: list[Array], noise: NoiseModel = WHITE, wrong: float = 0.0
 ) -> list[ResidualFeature]:
     """A line and a stretch, in tests of 1 s a row."""
-    rest = [
+    return list(find_residual_features(rest(series, noise, wrong)))
+
+
+def rest(series: list[Array], noise: NoiseModel = WHITE, wrong: float = 0.0) -> list[Residual]:
+    return [
         Residual(f"t{i}", "gyro_angle", x, np.ones(len(x)), 1.0, noise, model_error=wrong)
         for i, x in enumerate(series)
     ]
-    return list(find_residual_features(rest))
 
 
 def steady(seed: int) -> list[Array]:
@@ -53,10 +60,27 @@ def test_a_line_is_found_whatever_its_phase_in_each_test() -> None:
     series = [x + size * np.sin(2 * np.pi * (time / 17.3 + generator.random())) for x in steady(4)]
     line, stretch = found(series)
     assert line.log_odds > 5
-    match = re.fullmatch(r"periodic in (.*) s in 6 tests \(gyro_angle\)", line.words)
+    match = re.fullmatch(r"periodic in (.*) s in 6 tests \(output angle\)", line.words)
     assert match
     assert float(match[1]) == pytest.approx(17.3, abs=17.3**2 / ROWS / 2)
     assert stretch.log_odds < 0
+
+
+def test_a_line_of_one_phase_is_found_where_no_test_shows_it() -> None:
+    """A line of 7 sigma in all tests, less than 3 sigma in each; its period within a fifth of its
+    width. Of a phase of its own in each test it is lost."""
+    generator = np.random.default_rng(5)
+    time = np.arange(ROWS)
+    size = 7 * np.sqrt(2 / (ROWS * TESTS))
+
+    def add(phases: np.ndarray) -> list[Array]:
+        pairs = zip(steady(6), phases, strict=True)
+        return [x + size * np.sin(2 * np.pi * (time / 17.3 + p)) for x, p in pairs]
+
+    period = find_period(rest(add(np.full(TESTS, 0.3))))
+    assert period == pytest.approx(17.3, abs=17.3**2 / ROWS / 5)
+    assert find_period(rest(add(generator.random(TESTS)))) is None
+    assert find_period(rest(steady(6))) is None
 
 
 def test_a_model_error_is_no_line() -> None:

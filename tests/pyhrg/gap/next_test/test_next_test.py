@@ -10,6 +10,7 @@ import pytest
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, HOUR, HZ
+from pyhrg.device.declarations import format_effect
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.gap.effects.catalogue import EFFECTS, Catalogue, Effect
@@ -110,7 +111,7 @@ def test_drive_gain_and_damping_are_separated_where_drives_are_off_or_work(
     said = suggest_next_test(simulation, found, alike)
     assert said is not None
     assert said.kind in ("ring_down", "virtual_rotation", "amplitude")
-    assert "drive_gain_mismatch from damping_anisotropy" in said.why
+    assert "drive gain mismatch from damping anisotropy" in said.why
 
 
 def test_a_g_sensitive_bias_and_a_frame_rotation_are_separated_by_the_tumble(
@@ -163,7 +164,7 @@ def test_a_hidden_effect_is_a_rival_that_a_test_separates(
     said = suggest_next_test(simulation, found, [best, *hidden])
     assert said is not None
     assert said.kind in ("ring_down", "virtual_rotation", "amplitude")
-    assert f"{hidden[0].held.name} from its absence" in said.why
+    assert f"{format_effect(hidden[0].held.name)} from its absence" in said.why
 
 
 def test_a_test_that_separates_all_comes_before_one_that_separates_some_better() -> None:
@@ -239,7 +240,7 @@ def test_an_effect_and_a_noise_are_separated_as_predicted(
     walk = Rival(nothing, wandering, ("rate_random_walk",), old)
     said = suggest_next_test(simulation, found, [own, walk])
     assert said is not None
-    assert "drive_gain_mismatch from rate_random_walk" in said.why
+    assert "drive gain mismatch from rate random walk" in said.why
     (rest,) = list_candidates(Bench(simulation.quasi_steady, found.device), START)["static"]
     still = around(simulation, found.device, recorded(simulation, found.device, rest), [effect])
     (size,) = own.fit.values

@@ -129,13 +129,13 @@ def test_a_term_is_said_with_its_rivals_and_what_tells_it_from_known_mechanisms(
 ) -> None:
     name = "bias_rate3_deg_h_per_deg3_s3"
     formula = Formula("bias", "biasRate3*turnRate*turnRate*turnRate")
-    rivals = {"bias: rate times its magnitude (gyro_angle)": 0.3}
+    rivals = {"bias: rate times its magnitude (output angle)": 0.3}
     term = Term("bias", ("rate",), formula, {name: 3e-6}, {name: (2e-6, 4e-6)}, 0.6, 0.9,
                 "gyro_angle", "bias: rate cubed", rivals, 93.0)  # fmt: skip
     said = replace(with_gap.diagnosis, terms=(term,), causes=())
     answers = answer_questions(replace(with_gap, diagnosis=said))
     assert any("3e−06 (2e−06 to 4e−06) deg/h per (deg/s)³" in s for s in answers["What"])
-    assert any("rate times its magnitude (gyro_angle) 30.0" in s for s in answers["How sure"])
+    assert any("rate times its magnitude (output angle) 30.0" in s for s in answers["How sure"])
     assert any("authority (30). To tell:" in s for s in answers["What next"])
     assert "removes 93 % of the excess" in build_page(replace(with_gap, diagnosis=said))
 
@@ -292,7 +292,7 @@ def test_noises_that_the_records_leave_open_are_told(with_gap: CampaignDiagnosis
     both = replace(with_gap.attribution, posterior=Posterior((one, other), (0.75, 0.25)))
     told = build_page(replace(with_gap, attribution=both))
     title = "Noise hypotheses of the output angle, each with its most probable set of effects"
-    words = "unnamed: noise of the rate that lasts 30 s (gyro_angle)"
+    words = "unnamed: noise of the rate that lasts 30 s (output angle)"
     assert title in told
     assert words in told
     assert "25.0" in told[told.index(words) :][:200]

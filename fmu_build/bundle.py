@@ -11,6 +11,7 @@ from fmu_build.archive.description import describe_build, describe_fmi2, describ
 from fmu_build.archive.documentation.document import write_documentation
 from fmu_build.archive.licences import list_licence_files, read_licence
 from fmu_build.archive.packing import pack_archive
+from fmu_build.archive.parameter_sets import join_arrays
 from fmu_build.archive.reference import simulate_reference
 from fmu_build.archive.terminals import describe_terminals
 from fmu_build.binaries.libraries import fetch_library
@@ -28,6 +29,7 @@ from fmu_build.code.generate import generate_header, generate_source
 from fmu_build.code.limits import generate_limits
 from fmu_build.equations.dae import Dae
 from fmu_build.equations.modelica import read_page
+from fmu_build.equations.scalars import Scalar, list_variables
 from fmu_build.equations.translate import COMPILER_VERSION, translate
 from fmu_build.roots import PARTS, ROOTS, Root
 from pyhrg.common.caches.files import find_cache_folder, is_intact, write_digest
@@ -125,6 +127,22 @@ def _fetch_fmu(root: Root, fmi: int, platforms: Sequence[str], progress: Progres
         write_fmu(path, root, fmi, platforms, progress)
     write_digest(path)
     return path
+
+
+def list_arrays(model: str = "HRG") -> list[Scalar]:
+    """Arrays that an FMU has in FMI 3.
+
+    Args:
+        model: as of `build_fmu`.
+
+    Raises:
+        HrgError: there is no such model, or it can't be translated.
+    """
+    return _select_arrays(_translate(_find_root(model)), 3)
+
+
+def _select_arrays(dae: Dae, fmi: int) -> list[Scalar]:
+    return [variable for variable in list_variables(dae, fmi) if variable.count > 1]
 
 
 def _find_root(model: str) -> Root:
@@ -249,7 +267,7 @@ def _make_enclosures(
 ) -> dict[str, bytes]:
     """What an archive holds beside its description, sources and binaries (`content`), by path."""
     run = simulate_reference(root.identifier, content)
-    page = write_documentation(dae, root, version("hrg"), run)
+    page = write_documentation(dae, root, version("hrg"), run, fmi)
     icon = ICON.read_bytes()
     found = {
         "documentation/index.html": page.encode(),
@@ -260,5 +278,7 @@ def _make_enclosures(
     found |= run.files(root.identifier)
     found |= {f"documentation/licenses/{n}": text for n, text in list_licence_files(fmi).items()}
     if root.identifier in ROOTS:
-        found |= {f"resources/{file.name}": file.read_bytes() for file in DEVICES.glob("*.ssv")}
+        arrays = _select_arrays(dae, fmi)
+        for file in DEVICES.glob("*.ssv"):
+            found[f"resources/{file.name}"] = join_arrays(file.read_text(), arrays).encode()
     return found | ({"model.png": icon} if fmi == 2 else {})

@@ -10,7 +10,7 @@ from fmu_build.archive.units import add_unit_definitions
 from fmu_build.equations.case_angle import ANGLE
 from fmu_build.equations.dae import Dae
 from fmu_build.equations.dependencies import trace_dependencies
-from fmu_build.equations.scalars import Scalar, list_scalars
+from fmu_build.equations.scalars import Scalar, list_variables
 from fmu_build.roots import Root
 from pyhrg.common.errors import HrgError
 
@@ -65,7 +65,7 @@ def format_xml(root: ET.Element) -> str:
 
 def describe_fmi2(dae: Dae, model: Root, token: str, sources: Sequence[str]) -> str:
     """modelDescription.xml of FMI 2.0, co-simulation."""
-    listed = list(list_scalars(dae))
+    listed = list_variables(dae, 2)
     root = make_root(
         "2.0", model.identifier, model.description, FMI2_CAPABILITIES, sources, guid=token
     )
@@ -88,7 +88,7 @@ def describe_fmi2(dae: Dae, model: Root, token: str, sources: Sequence[str]) -> 
 
 def describe_fmi3(dae: Dae, model: Root, token: str) -> str:
     """modelDescription.xml of FMI 3.0, co-simulation."""
-    listed = list(list_scalars(dae))
+    listed = list_variables(dae, 3)
     root = make_root(
         "3.0", model.identifier, model.description, FMI3_CAPABILITIES, instantiationToken=token
     )
@@ -102,7 +102,9 @@ def describe_fmi3(dae: Dae, model: Root, token: str) -> str:
             head = _as_boolean(head)
         if scalar.causality in ("input", "output") and scalar.name != ANGLE:
             head["intermediateUpdate"] = "true"
-        ET.SubElement(variables, kind, head)
+        entry = ET.SubElement(variables, kind, head)
+        if scalar.count > 1:
+            ET.SubElement(entry, "Dimension", start=str(scalar.count))
     ET.SubElement(
         variables,
         "Float64",
@@ -114,8 +116,9 @@ def describe_fmi3(dae: Dae, model: Root, token: str) -> str:
         unit="s",
     )
     structure = ET.SubElement(root, "ModelStructure")
+    owners = {s.reference + e: s.reference for s in listed for e in range(s.count)}
     for kind, scalar, dependencies in _unknowns(dae, listed):
-        text = " ".join(str(reference) for reference in dependencies)
+        text = " ".join(str(r) for r in sorted({owners[reference] for reference in dependencies}))
         ET.SubElement(structure, kind, valueReference=str(scalar.reference), dependencies=text)
     return format_xml(root)
 

@@ -80,22 +80,25 @@ int derivative_directional(Instance *instance, const unsigned *unknowns, size_t 
                            double *sensitivity) {
   if (!are_legal(instance, unknowns, nu, knowns, nk, seed, sensitivity)) return 0;
   for (size_t i = 0; i < nu; i++) sensitivity[i] = 0.0;
-  for (size_t k = 0; k < nk; k++) {
-    Stencil stencil;
-    stretch(instance, knowns[k], &stencil);
-    for (size_t i = 0; i < nu; i++) sensitivity[i] += partial(&stencil, unknowns[i]) * seed[k];
-  }
+  for (size_t k = 0, s = 0; k < nk; k++)
+    for (unsigned e = 0; e < instance_count(knowns[k]); e++, s++) {
+      Stencil stencil;
+      stretch(instance, knowns[k] + e, &stencil);
+      for (size_t i = 0; i < nu; i++) sensitivity[i] += partial(&stencil, unknowns[i]) * seed[s];
+    }
   return are_finite(instance, sensitivity, nu);
 }
 
 int derivative_adjoint(Instance *instance, const unsigned *unknowns, size_t nu,
                        const unsigned *knowns, size_t nk, const double *seed, double *sensitivity) {
   if (!are_legal(instance, unknowns, nu, knowns, nk, seed, sensitivity)) return 0;
-  for (size_t k = 0; k < nk; k++) {
-    Stencil stencil;
-    stretch(instance, knowns[k], &stencil);
-    sensitivity[k] = 0.0;
-    for (size_t i = 0; i < nu; i++) sensitivity[k] += partial(&stencil, unknowns[i]) * seed[i];
-  }
-  return are_finite(instance, sensitivity, nk);
+  size_t s = 0;
+  for (size_t k = 0; k < nk; k++)
+    for (unsigned e = 0; e < instance_count(knowns[k]); e++, s++) {
+      Stencil stencil;
+      stretch(instance, knowns[k] + e, &stencil);
+      sensitivity[s] = 0.0;
+      for (size_t i = 0; i < nu; i++) sensitivity[s] += partial(&stencil, unknowns[i]) * seed[i];
+    }
+  return are_finite(instance, sensitivity, s);
 }

@@ -10,7 +10,7 @@
    Central differences of fourth order on copies of the core, a thousandth of the known's scale
    apart: errors are about 1e-10 of the unknown over that scale, 1e-13 where it is linear. Exact
    tangents would need a second emitter; importers use these for initialization and coupling,
-   whose own tolerances are wider. */
+   whose own tolerances are wider. An array has a seed, or a sensitivity, a value; arrays are known. */
 int derivative_directional(Instance *instance, const unsigned *unknowns, size_t nu,
                            const unsigned *knowns, size_t nk, const double *seed,
                            double *sensitivity);

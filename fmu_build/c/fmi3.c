@@ -14,7 +14,6 @@ typedef struct {
 } Component;
 
 static fmi3Status status(int success) { return success ? fmi3OK : fmi3Error; }
-
 static const fmi3Status told_as[LOG_CATEGORIES] = {fmi3Error, fmi3Discard, fmi3OK};
 
 static void tell(const Listener *listener, const char *name, Category category, const char *message) {
@@ -97,23 +96,30 @@ fmi3Status fmi3ExitInitializationMode(fmi3Instance c) {
 fmi3Status fmi3Terminate(fmi3Instance c) { return status(instance_terminate(c)); }
 fmi3Status fmi3Reset(fmi3Instance c) { return status(instance_reset(c)); }
 
-static int same_size(fmi3Instance c, size_t expected, size_t given) {
+/* Whether as many values are given as the variables have; a refusal names an array. */
+static int are_as_many(fmi3Instance c, const fmi3ValueReference vr[], size_t n, size_t given) {
+  unsigned long expected = 0, first = 0, last = 0;
+  for (size_t i = 0; i < n; i++) {
+    const unsigned count = vr ? instance_count(vr[i]) : 1;
+    if (count > 1) last = (first = vr[i]) + count - 1;
+    expected += count;
+  }
   return expected == given ||
-         instance_refuse(c, "%lu values were given, expected %lu", (unsigned long)given,
-                         (unsigned long)expected);
+         instance_refuse(c, first == last ? "%lu values were given, expected %lu"
+                                          : "%lu values were given, expected %lu, with those from %s to %s",
+                         (unsigned long)given, expected, limits[first].name, limits[last].name);
 }
 
 static fmi3Status set(fmi3Instance c, const fmi3ValueReference vr[], size_t n, Kind kind,
                       const void *value, size_t values) {
-  if (!same_size(c, n, values)) return fmi3Error;
-  Answer answer = instance_set(c, vr, n, kind, value);
+  Answer answer = are_as_many(c, vr, n, values) ? instance_set(c, vr, n, kind, value) : REFUSED;
   return answer == DISCARDED ? fmi3Discard : status(answer == DONE);
 }
 
 #define VARIABLES(Type, kind)                                                                         \
   fmi3Status fmi3Get##Type(fmi3Instance c, const fmi3ValueReference vr[], size_t n,                  \
                            fmi3##Type value[], size_t values) {                                      \
-    return status(same_size(c, n, values) && instance_get(c, vr, n, kind, value));                   \
+    return status(are_as_many(c, vr, n, values) && instance_get(c, vr, n, kind, value));             \
   }                                                                                                   \
   fmi3Status fmi3Set##Type(fmi3Instance c, const fmi3ValueReference vr[], size_t n,                  \
                            const fmi3##Type value[], size_t values) {                                \
@@ -232,7 +238,7 @@ fmi3Status fmi3GetDirectionalDerivative(fmi3Instance c, const fmi3ValueReference
                                         const fmi3ValueReference knowns[], size_t nk,
                                         const fmi3Float64 seed[], size_t seeds,
                                         fmi3Float64 sensitivity[], size_t n) {
-  return status(same_size(c, nk, seeds) && same_size(c, nu, n) &&
+  return status(are_as_many(c, knowns, nk, seeds) && are_as_many(c, unknowns, nu, n) &&
                 derivative_directional(c, unknowns, nu, knowns, nk, seed, sensitivity));
 }
 
@@ -240,7 +246,7 @@ fmi3Status fmi3GetAdjointDerivative(fmi3Instance c, const fmi3ValueReference unk
                                     const fmi3ValueReference knowns[], size_t nk,
                                     const fmi3Float64 seed[], size_t seeds, fmi3Float64 sensitivity[],
                                     size_t n) {
-  return status(same_size(c, nu, seeds) && same_size(c, nk, n) &&
+  return status(are_as_many(c, unknowns, nu, seeds) && are_as_many(c, knowns, nk, n) &&
                 derivative_adjoint(c, unknowns, nu, knowns, nk, seed, sensitivity));
 }
 

@@ -120,7 +120,11 @@ int instance_terminate(Instance *instance) {
 }
 
 int instance_knows(unsigned reference, Kind kind) {
-  return reference < MODEL_VARIABLES && limits[reference].kind == kind;
+  return reference < MODEL_VARIABLES && limits[reference].count && limits[reference].kind == kind;
+}
+
+unsigned instance_count(unsigned reference) {
+  return reference < MODEL_VARIABLES && limits[reference].count ? (unsigned)limits[reference].count : 1;
 }
 
 static int is_known(Instance *instance, unsigned reference, Kind kind) {
@@ -169,14 +173,15 @@ int instance_get(Instance *instance, const unsigned *references, size_t n, Kind 
   for (size_t i = 0; i < n; i++)
     if (!can_get(instance, references[i], kind)) return 0;
   const double *v = readable(instance)->v;
-  for (size_t i = 0; i < n; i++)
-    put(values, i, kind,
-        is_time(instance, references[i], kind) ? instance->now.time : v[references[i]]);
+  for (size_t i = 0, k = 0; i < n; i++)
+    for (unsigned e = 0; e < instance_count(references[i]); e++)
+      put(values, k++, kind,
+          is_time(instance, references[i], kind) ? instance->now.time : v[references[i] + e]);
   return 1;
 }
 
-static Answer can_set(Instance *instance, unsigned reference, Kind kind, double value) {
-  if (!is_known(instance, reference, kind)) return REFUSED;
+static int may_set(Instance *instance, unsigned reference, Kind kind) {
+  if (!is_known(instance, reference, kind)) return 0;
   const Limits *limit = &limits[reference];
   if (limit->settable == SET_NEVER)
     return instance_refuse(instance, "%s can't be set at all", limit->name);
@@ -187,10 +192,28 @@ static Answer can_set(Instance *instance, unsigned reference, Kind kind, double 
   if (reference == MODEL_ANGLE && instance->now.phase == UPDATING)
     return instance_refuse(instance, "%s is that of the step's end, and can't be set within it",
                            limit->name);
-  if (!limits_hold(limit, value))
-    return instance_discard(instance, "%s = %s is outside its range%s", limit->name, NUMBER(value),
-                   RANGE(limit->minimum, limit->maximum));
+  return 1;
+}
+
+static Answer can_take(Instance *instance, const Limits *limit, double value) {
+  if (limits_hold(limit, value)) return DONE;
+  return instance_discard(instance, "%s = %s is outside its range%s", limit->name, NUMBER(value),
+                          RANGE(limit->minimum, limit->maximum));
+}
+
+/* Its values from number k on, which is then that of the next variable's. */
+static Answer can_set(Instance *instance, unsigned reference, Kind kind, const void *values,
+                      size_t *k) {
+  if (!may_set(instance, reference, kind)) return REFUSED;
+  for (unsigned e = 0; e < instance_count(reference); e++)
+    if (can_take(instance, &limits[reference + e], given(values, (*k)++, kind)) != DONE)
+      return DISCARDED;
   return DONE;
+}
+
+static void write_values(double *v, unsigned reference, Kind kind, const void *values, size_t *k) {
+  for (unsigned r = reference; r < reference + instance_count(reference); r++)
+    v[r] = limits_nearest(&limits[r], given(values, (*k)++, kind));
 }
 
 Answer instance_set(Instance *instance, const unsigned *references, size_t n, Kind kind,
@@ -198,16 +221,15 @@ Answer instance_set(Instance *instance, const unsigned *references, size_t n, Ki
   if (!instance_may(instance, SETTABLE, "setting variables") ||
       !are_given(instance, references, n, values))
     return REFUSED;
-  for (size_t i = 0; i < n; i++) {
-    Answer answer = can_set(instance, references[i], kind, given(values, i, kind));
+  for (size_t i = 0, k = 0; i < n; i++) {
+    Answer answer = can_set(instance, references[i], kind, values, &k);
     if (answer != DONE) return answer;
   }
   Core *core = &instance->now.core;
   int is_retuned = 0;
-  for (size_t i = 0; i < n; i++) {
-    const Limits *limit = &limits[references[i]];
-    core->v[references[i]] = limits_nearest(limit, given(values, i, kind));
-    is_retuned |= limit->settable == SET_TUNABLE;
+  for (size_t i = 0, k = 0; i < n; i++) {
+    write_values(core->v, references[i], kind, values, &k);
+    is_retuned |= limits[references[i]].settable == SET_TUNABLE;
   }
   core_touch(core);
   if (IN(instance->now.phase) & BEFORE_STEPS)

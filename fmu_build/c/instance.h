@@ -77,7 +77,9 @@ void instance_touch(Instance *instance);
 
 /* Whether the model has a variable of this kind. */
 int instance_knows(unsigned reference, Kind kind);
-/* Values are double, int or bool, by kind. */
+/* Number of scalars that a reference stands for: more than one for an array, which is a parameter. */
+unsigned instance_count(unsigned reference);
+/* Values are double, int or bool, by kind; those of arrays one after another. */
 int instance_get(Instance *instance, const unsigned *references, size_t n, Kind kind, void *values);
 /* A value beyond its range by a rounding is the end of the range. */
 Answer instance_set(Instance *instance, const unsigned *references, size_t n, Kind kind,

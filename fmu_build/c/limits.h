@@ -15,7 +15,8 @@ typedef enum { SET_NEVER, SET_PARAMETER, SET_TUNABLE, SET_INPUT } Settable;
 typedef enum { REAL, INTEGER, BOOLEAN, KINDS } Kind;
 
 typedef struct {
-  const char *name;
+  const char *name; /* of the scalar */
+  int count; /* values of the variable that begins here: an array's in FMI 3, 0 within one */
   Settable settable;
   Kind kind;
   int continuous; /* algebraic: computed when it is asked for */

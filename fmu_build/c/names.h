@@ -34,6 +34,7 @@
 #define inputs_begin OWN(inputs_begin)
 #define inputs_end OWN(inputs_end)
 #define inputs_set_slopes OWN(inputs_set_slopes)
+#define instance_count OWN(instance_count)
 #define instance_create OWN(instance_create)
 #define instance_discard OWN(instance_discard)
 #define instance_enter_initialization OWN(instance_enter_initialization)

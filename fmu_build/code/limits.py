@@ -1,7 +1,7 @@
 """The table `limits.c` of the variables' limits, by which the FMU checks calls."""
 
 from fmu_build.equations.dae import Dae
-from fmu_build.equations.scalars import find_causality, find_kind, is_tunable
+from fmu_build.equations.scalars import find_causality, find_kind, is_tunable, list_variables
 from fmu_build.equations.sorting import sort_equations
 
 KINDS = {
@@ -17,6 +17,7 @@ def generate_limits(dae: Dae, token: str, fmi: int) -> str:
     lines = ['#include "limits.h"', f'const char *const model_token = "{token}";']
     lines.append("const Limits limits[] = {")
     settables = {"parameter": "SET_PARAMETER", "input": "SET_INPUT"}
+    counts = {variable.reference: variable.count for variable in list_variables(dae, fmi)}
     plan = sort_equations(dae)
     on_demand = {a.target[1] for a in (*plan.held, *plan.outputs)}
     for index, variable in enumerate(dae.variables):
@@ -30,7 +31,9 @@ def generate_limits(dae: Dae, token: str, fmi: int) -> str:
             least = "-UNLIMITED" if low is None else repr(low)
             most = "UNLIMITED" if high is None else repr(high)
             name = _quote(variable.element_name(element))
-            lines.append(f"  {{{name}, {settable}, {kind}, {continuous}, {least}, {most}}},")
+            count = counts.get(variable.offset + element, 0)
+            head = f"{name}, {count}, {settable}, {kind}, {continuous}"
+            lines.append(f"  {{{head}, {least}, {most}}},")
     return "\n".join([*lines, "};", ""])
 
 

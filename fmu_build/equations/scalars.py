@@ -1,8 +1,9 @@
 """Scalar variables of a model as both FMI standards describe them."""
 
 import re
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from itertools import groupby
 
 from fmu_build.equations.dae import Dae, Variable
 from fmu_build.equations.dependencies import trace_dependencies
@@ -20,11 +21,17 @@ SWITCHES = ("Units.Switch", "Inputs.Switch", "Outputs.Switch")
 """The library's type of a real variable that is 1 or 0, and its connectors: a Boolean in FMI 3."""
 
 
+MAP = re.compile(r"((?:.*\.)?controller\.(?:biasMap|scaleFactorMap))\.\w+")
+"""Names of the coefficients of a calibrated map, which FMI 3 has as one array."""
+
+
 @dataclass(frozen=True)
 class Scalar:
-    """One scalar variable.
+    """One scalar variable, or an array of FMI 3.
 
     Attributes:
+        array: name of the array that it is an element of in FMI 3; empty where it is in none.
+        elements: names of its scalars.
         kind: "real", "integer" or "switch", a real variable that is 1 or 0.
         attributes: description, quantity, unit, displayUnit, min, max, nominal and start: those
             that apply.
@@ -38,6 +45,20 @@ class Scalar:
     kind: str
     declared: RealType | None
     attributes: dict[str, str]
+    elements: tuple[str, ...]
+    array: str = ""
+
+    @property
+    def count(self) -> int:
+        """Number of its scalars."""
+        return len(self.elements)
+
+
+def list_variables(dae: Dae, fmi: int) -> list[Scalar]:
+    """All variables of a model in a version of the standard, in the order of their value
+    references. In FMI 3, parameters that are vectors, and each map, are arrays."""
+    listed = list_scalars(dae)
+    return list(listed if fmi == 2 else _join_arrays(listed))
 
 
 def list_scalars(dae: Dae) -> Iterator[Scalar]:
@@ -55,8 +76,9 @@ def list_scalars(dae: Dae) -> Iterator[Scalar]:
             texts |= {"quantity": declared.quantity, "displayUnit": declared.display_unit}
         texts = {name: text for name, text in texts.items() if text}
         for element in range(variable.count):
+            name = variable.element_name(element)
             yield Scalar(
-                name=variable.element_name(element),
+                name=name,
                 reference=variable.offset + element,
                 variable=index,
                 causality=causality,
@@ -64,7 +86,39 @@ def list_scalars(dae: Dae) -> Iterator[Scalar]:
                 kind=find_kind(variable),
                 declared=declared,
                 attributes=texts | _numbers(dae, variable, element, causality),
+                elements=(name,),
+                array=_find_array(variable) if causality == "parameter" else "",
             )
+
+
+def _join_arrays(listed: Iterable[Scalar]) -> Iterator[Scalar]:
+    """Arrays in place of their elements, where these are alike but for start and meaning."""
+    for name, group in groupby(listed, lambda scalar: scalar.array or scalar.name):
+        first, *others = members = list(group)
+        if not first.array or any(_common(other) != _common(first) for other in others):
+            yield from members
+            continue
+        texts = {m.name.rpartition(".")[2]: m.attributes.get("description", "") for m in members}
+        alike = len(set(texts.values())) == 1
+        meaning = "; ".join(f"{key}: {text}" for key, text in texts.items())
+        attributes = first.attributes | {
+            "description": next(iter(texts.values())) if alike else meaning,
+            "start": " ".join(member.attributes["start"] for member in members),
+        }
+        elements = tuple(member.name for member in members)
+        yield replace(first, name=name, elements=elements, attributes=attributes)
+
+
+def _common(scalar: Scalar) -> object:
+    attributes = {k: v for k, v in scalar.attributes.items() if k not in ("start", "description")}
+    return attributes, scalar.kind, scalar.variability, scalar.declared
+
+
+def _find_array(variable: Variable) -> str:
+    if variable.size is not None:
+        return variable.name
+    found = MAP.fullmatch(variable.name)
+    return f"{found[1]}.coefficients" if found else ""
 
 
 def find_causality(dae: Dae, variable: Variable) -> str:

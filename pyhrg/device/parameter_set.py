@@ -4,7 +4,9 @@ import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 
 from fmu_build.archive.description import format_xml
+from fmu_build.archive.parameter_sets import join_arrays
 from fmu_build.archive.ssp import SPACES
+from fmu_build.bundle import list_arrays
 from fmu_build.equations.modelica import list_integers
 from pyhrg.common.made_by import find_modelica
 from pyhrg.device.device import Device
@@ -13,11 +15,17 @@ SET_NAME = "initialValues"
 """What every set is called: importers apply the sets of one name to a system."""
 
 
-def format_parameter_set(device: Device) -> str:
+def format_parameter_set(device: Device, fmi: int = 2) -> str:
     """Text of a file of SystemStructureParameterValues 1.0 (`.ssv`): the start angle, and the FMU's
-    parameters that differ from its defaults, by the FMU's names, in its units."""
+    parameters that differ from its defaults, by the FMU's names, in its units.
+
+    Args:
+        fmi: version of the FMU's standard. In FMI 3 vectors and maps are arrays; a set with one
+            is of SSP 2.0.
+    """
     values = {"startAngle": device.power_on_angle, **device.fmu_parameters()}
-    return format_values(values, device.name)
+    text = format_values(values, device.name)
+    return join_arrays(text, list_arrays()) if fmi == 3 else text
 
 
 def format_values(values: Mapping[str, float], description: str = "") -> str:

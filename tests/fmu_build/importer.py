@@ -1,6 +1,7 @@
-"""One way to drive the FMU of either standard: FMPy's own calls, by variable name."""
+"""One way to drive the FMU of either standard: FMPy's own calls, by name of scalar."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import accumulate
 from pathlib import Path
 from typing import Any
 
@@ -8,10 +9,21 @@ import fmpy
 import pytest
 from fmpy.fmi2 import FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 from fmpy.fmi3 import FMU3Slave
+from fmpy.model_description import ModelVariable
+
+
+def list_elements(variable: ModelVariable) -> list[str]:
+    """Names of a variable's scalars."""
+    if not variable.dimensions:
+        return [variable.name]
+    return [f"{variable.name}[{e + 1}]" for e in range(variable.dimensions[0].start)]
 
 
 class Importer:
-    """An instance; `messages` are what it logged: (category, text)."""
+    """An instance; `messages` are what it logged: (category, text).
+
+    An element of an array of FMI 3 is a variable here, with the array's reference.
+    """
 
     def __init__(self, folder: Path, logging: bool = False, **options: Any) -> None:
         """Instantiate the extracted FMU.
@@ -22,7 +34,9 @@ class Importer:
             options: further arguments of FMPy's `FMU3Slave.instantiate`.
         """
         self.description = fmpy.read_model_description(str(folder))
-        self.variables = {v.name: v for v in self.description.modelVariables}
+        described = self.description.modelVariables
+        self.variables = {name: v for v in described for name in list_elements(v)}
+        self._counts = {v.valueReference: len(list_elements(v)) for v in described}
         self.messages: list[tuple[str, str]] = []
         self.fmi = int(self.description.fmiVersion[0])
         self.slave = {2: FMU2Slave, 3: FMU3Slave}[self.fmi](
@@ -57,15 +71,36 @@ class Importer:
             self.slave.enterInitializationMode(startTime=start)
 
     def set(self, values: Mapping[str, float]) -> None:
-        """Set variables."""
+        """Set variables. The other elements of an array stay."""
         for name, value in values.items():
-            kind = self.variables[name].type
-            getattr(self.slave, f"set{kind}")(self.references([name]), [value])
+            (reference,) = self.references([name])
+            given = [value]
+            if self._counts[reference] > 1:
+                given = self.slave.getFloat64([reference], self._counts[reference])
+                given[self._find_element(name)] = value
+            getattr(self.slave, f"set{self.variables[name].type}")([reference], given)
 
     def get(self, names: Iterable[str]) -> list[float]:
         """Values of real variables."""
-        get = self.slave.getReal if self.fmi == 2 else self.slave.getFloat64
-        return list(get(self.references(names)))
+        names = list(names)
+        references = self.references(names)
+        if self.fmi == 2:
+            return list(self.slave.getReal(references))
+        distinct = list(dict.fromkeys(references))
+        values = self.slave.getFloat64(distinct, sum(self._counts[r] for r in distinct))
+        begins = self._list_begins(distinct)
+        return [
+            values[begins[r] + self._find_element(n)]
+            for r, n in zip(references, names, strict=True)
+        ]
+
+    def _list_begins(self, references: Sequence[int]) -> dict[int, int]:
+        """Place of each variable's first value among the values of all."""
+        ends = accumulate(self._counts[r] for r in references)
+        return {r: end - self._counts[r] for r, end in zip(references, ends, strict=True)}
+
+    def _find_element(self, name: str) -> int:
+        return list_elements(self.variables[name]).index(name)
 
     def every(self) -> list[float]:
         """Values of all real variables."""
@@ -100,7 +135,12 @@ class Importer:
         self, unknowns: Iterable[str], knowns: Iterable[str], seed: Iterable[float]
     ) -> list[float]:
         """Directional derivatives of the unknowns."""
-        arguments = self.references(unknowns), self.references(knowns), list(seed)
+        distinct = list(dict.fromkeys(self.references(knowns := list(knowns))))
+        begins = self._list_begins(distinct)
+        seeds = [0.0] * sum(self._counts[r] for r in distinct)
+        for name, value in zip(knowns, seed, strict=True):
+            seeds[begins[self.references([name])[0]] + self._find_element(name)] = value
+        arguments = self.references(unknowns), distinct, seeds
         return list(self.slave.getDirectionalDerivative(*arguments))
 
     def refused(self, call: Callable[[], object]) -> str:

@@ -15,7 +15,7 @@ from fmu_build.archive.documentation.variable_tables import (
 )
 from fmu_build.archive.reference import Reference
 from fmu_build.equations.dae import Dae
-from fmu_build.equations.scalars import Scalar, list_scalars
+from fmu_build.equations.scalars import Scalar, list_variables
 from fmu_build.roots import METHODS, Root
 
 TEMPLATE = """<!DOCTYPE html>
@@ -44,9 +44,12 @@ FLOW = """<figure>
 arrows below back. Point at an arrow for its signals.</figcaption></figure>"""
 
 
-def write_documentation(dae: Dae, root: Root, version: str, run: Reference | None = None) -> str:
+def write_documentation(
+    dae: Dae, root: Root, version: str, run: Reference | None = None, fmi: int = 2
+) -> str:
     """The page, with a figure of the run; it needs no other file."""
-    present = {heading: body for heading, body in _sections(dae, root, run).items() if body}
+    listed = list_variables(dae, fmi)
+    present = {heading: body for heading, body in _sections(dae, root, run, listed).items() if body}
     return TEMPLATE.format(
         name=escape(root.identifier),
         title=escape(root.description),
@@ -63,9 +66,10 @@ def write_documentation(dae: Dae, root: Root, version: str, run: Reference | Non
     )
 
 
-def _sections(dae: Dae, root: Root, run: Reference | None) -> dict[str, str]:
+def _sections(
+    dae: Dae, root: Root, run: Reference | None, listed: Sequence[Scalar]
+) -> dict[str, str]:
     """Contents by heading, in their order; some may be empty."""
-    listed = list(list_scalars(dae))
     return {
         "Signal flow": FLOW.format(draw_signal_flow(dae)),
         "What it does": _run(run, listed) if run else "",

@@ -38,13 +38,15 @@ def _cells(scalar: Scalar) -> tuple[str, ...]:
     low, high = limits
     range_text = f"from {low}" if low else f"up to {high}" if high else ""
     range_text = f"{low} to {high}" if all(limits) else range_text
-    default = _number(given["start"]) if "start" in given else ""
-    if default and shown and float(given["start"]):
+    starts = given.get("start", "").split()
+    default = ", ".join(_number(start) for start in starts)
+    if shown and any(float(start) for start in starts):
         factor, offset = DISPLAY_UNITS[unit, shown]
-        value = factor * float(given["start"]) + offset
-        default += f' <span class="small">({value:.6g} {escape(shown)})</span>'
+        values = ", ".join(f"{factor * float(start) + offset:.6g}" for start in starts)
+        default += f' <span class="small">({values} {escape(shown)})</span>'
+    size = f"[{scalar.count}]" if scalar.count > 1 else ""
     return (
-        f"<code>{escape(scalar.name.rpartition('.')[2])}</code>",
+        f"<code>{escape(scalar.name.rpartition('.')[2])}{size}</code>",
         escape(given.get("description", "")),
         escape(unit) + (f' <span class="small">({escape(shown)})</span>' if shown else ""),
         default,

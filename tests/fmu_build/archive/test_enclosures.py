@@ -73,7 +73,11 @@ def test_the_page_tells_every_input_output_and_parameter(
     first = ["".join(row[0].itertext()) for row in rows if row[0].tag == "td"]
     described = fmpy.read_model_description(str(path)).modelVariables
     told = ("input", "output", "parameter")
-    expected = [v.name.rpartition(".")[2] for v in described if v.causality in told]
+    expected = [
+        v.name.rpartition(".")[2] + "".join(f"[{size}]" for size in v.shape)
+        for v in described
+        if v.causality in told
+    ]
     assert Counter(first) == Counter(expected)
 
 

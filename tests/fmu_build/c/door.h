@@ -39,11 +39,15 @@ static inline int door_initialize(Handle c, double start, int stop_defined, doub
 static inline int door_exit(Handle c) { return IS_OK(F(fmi2ExitInitializationMode)(c)); }
 static inline int door_terminate(Handle c) { return IS_OK(F(fmi2Terminate)(c)); }
 static inline int door_reset(Handle c) { return IS_OK(F(fmi2Reset)(c)); }
-static inline int door_get(Handle c, const Reference *r, size_t n, int kind, void *values) {
+/* How many values there are is not said in FMI 2: as many as variables. */
+static inline int door_get_all(Handle c, const Reference *r, size_t n, int kind, void *values, size_t count) {
+  (void)count;
   if (kind == 2) return IS_OK(F(fmi2GetBoolean)(c, r, n, values));
   return IS_OK(kind == 1 ? F(fmi2GetInteger)(c, r, n, values) : F(fmi2GetReal)(c, r, n, values));
 }
-static inline int door_set(Handle c, const Reference *r, size_t n, int kind, const void *values) {
+static inline int door_set_all(Handle c, const Reference *r, size_t n, int kind, const void *values,
+                               size_t count) {
+  (void)count;
   if (kind == 2) return IS_OK(F(fmi2SetBoolean)(c, r, n, values));
   return IS_OK(kind == 1 ? F(fmi2SetInteger)(c, r, n, values) : F(fmi2SetReal)(c, r, n, values));
 }
@@ -59,7 +63,8 @@ static inline int door_read(Handle c, const void *bytes, size_t n, void **s) {
   return IS_OK(F(fmi2DeSerializeFMUstate)(c, bytes, n, s));
 }
 static inline int door_derivative(Handle c, const Reference *u, size_t nu, const Reference *k, size_t nk,
-                           const double *seed, double *result) {
+                           const double *seed, size_t seeds, double *result) {
+  (void)seeds;
   return IS_OK(F(fmi2GetDirectionalDerivative)(c, u, nu, k, nk, seed, result));
 }
 static inline int door_logging(Handle c, int on, size_t n, const char *const *categories) {
@@ -100,13 +105,14 @@ static inline int door_initialize(Handle c, double start, int stop_defined, doub
 static inline int door_exit(Handle c) { return IS_OK(F(fmi3ExitInitializationMode)(c)); }
 static inline int door_terminate(Handle c) { return IS_OK(F(fmi3Terminate)(c)); }
 static inline int door_reset(Handle c) { return IS_OK(F(fmi3Reset)(c)); }
-static inline int door_get(Handle c, const Reference *r, size_t n, int kind, void *values) {
-  if (kind == 2) return IS_OK(F(fmi3GetBoolean)(c, r, n, values, n));
-  return IS_OK(kind == 1 ? F(fmi3GetInt32)(c, r, n, values, n) : F(fmi3GetFloat64)(c, r, n, values, n));
+static inline int door_get_all(Handle c, const Reference *r, size_t n, int kind, void *values, size_t count) {
+  if (kind == 2) return IS_OK(F(fmi3GetBoolean)(c, r, n, values, count));
+  return IS_OK(kind == 1 ? F(fmi3GetInt32)(c, r, n, values, count) : F(fmi3GetFloat64)(c, r, n, values, count));
 }
-static inline int door_set(Handle c, const Reference *r, size_t n, int kind, const void *values) {
-  if (kind == 2) return IS_OK(F(fmi3SetBoolean)(c, r, n, values, n));
-  return IS_OK(kind == 1 ? F(fmi3SetInt32)(c, r, n, values, n) : F(fmi3SetFloat64)(c, r, n, values, n));
+static inline int door_set_all(Handle c, const Reference *r, size_t n, int kind, const void *values,
+                               size_t count) {
+  if (kind == 2) return IS_OK(F(fmi3SetBoolean)(c, r, n, values, count));
+  return IS_OK(kind == 1 ? F(fmi3SetInt32)(c, r, n, values, count) : F(fmi3SetFloat64)(c, r, n, values, count));
 }
 static inline int door_step(Handle c, double time, double step) {
   fmi3Boolean event, end, early;
@@ -126,8 +132,8 @@ static inline int door_read(Handle c, const void *bytes, size_t n, void **s) {
   return IS_OK(F(fmi3DeserializeFMUState)(c, bytes, n, s));
 }
 static inline int door_derivative(Handle c, const Reference *u, size_t nu, const Reference *k, size_t nk,
-                           const double *seed, double *result) {
-  return IS_OK(F(fmi3GetDirectionalDerivative)(c, u, nu, k, nk, seed, nk, result, nu));
+                           const double *seed, size_t seeds, double *result) {
+  return IS_OK(F(fmi3GetDirectionalDerivative)(c, u, nu, k, nk, seed, seeds, result, nu));
 }
 static inline int door_logging(Handle c, int on, size_t n, const char *const *categories) {
   return IS_OK(F(fmi3SetDebugLogging)(c, on, n, categories));
@@ -147,4 +153,12 @@ static inline int door_unsupported(Handle c, int which) {
   return IS_OK(F(fmi3SetFloat64)(c, &r, 1, &value, 2));
 }
 #endif
+
+/* Of scalars. */
+static inline int door_get(Handle c, const Reference *r, size_t n, int kind, void *values) {
+  return door_get_all(c, r, n, kind, values, n);
+}
+static inline int door_set(Handle c, const Reference *r, size_t n, int kind, const void *values) {
+  return door_set_all(c, r, n, kind, values, n);
+}
 #endif

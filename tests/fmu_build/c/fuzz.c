@@ -70,7 +70,7 @@ static void null_instance(void) {
               door_step(NULL, 0.0, 1.0) + door_save(NULL, &state) + door_restore(NULL, state) +
               door_drop(NULL, &state) + door_size(NULL, state, &n) + door_write(NULL, state, &value, n) +
               door_read(NULL, &value, n, &state) + door_logging(NULL, 1, 0, NULL) +
-              door_derivative(NULL, &r, 1, &r, 1, &value, &value);
+              door_derivative(NULL, &r, 1, &r, 1, &value, 1, &value);
   for (int i = 0; i < UNSUPPORTED_CALLS; i++) taken += door_unsupported(NULL, i);
   if (taken) finding("%d calls were taken by a null instance", taken);
   door_free(NULL);

@@ -67,19 +67,24 @@ static void must_fail(void) {
 
 static void try_get(void) {
   Reference references[4];
-  double values[4];
+  double values[4 * MOST + 1];
   Kind kind = some_kind();
   int n = below(5), legal = is_open();
+  size_t count = 0;
   for (int i = 0; i < n; i++) {
     references[i] = chance(30) ? (Reference)draw() % (MODEL_VARIABLES + 2000) : pick(kind, 0);
     int is_time = FMI == 3 && kind == REAL && references[i] == MODEL_VARIABLES;
-    legal &= is_time || (references[i] < MODEL_VARIABLES && limits[references[i]].kind == kind);
+    legal &= is_time || is_variable(references[i], kind);
+    count += (size_t)count_of(references[i]);
   }
+  size_t told = miscounted(count);
+  legal &= told == count;
   if (known.phase == FAILED) return; /* each value may or may not be finite */
   int null = n && chance(30);
   size_t bytes = known.phase == FRESH ? 0 : state_of(before);
   prepare(legal && !null);
-  int success = door_get(handle, n ? references : NULL, (size_t)n, (int)kind, null || !n ? NULL : values);
+  int success =
+      door_get_all(handle, n ? references : NULL, (size_t)n, (int)kind, null || !n ? NULL : values, told);
   if (legal && !null && is_excused(success, "is not finite at")) {
     if (known.phase == RUNNING || known.phase == INITIALIZING) must_fail();
     return;
@@ -87,8 +92,9 @@ static void try_get(void) {
   judged("reading", legal && !null, success);
   if (success && (state_of(after) != bytes || memcmp(before, after, bytes) != 0))
     finding("reading changed the state");
-  for (int i = 0; success && kind == REAL && i < n; i++)
-    if (!isfinite(values[i])) finding("%s was read as %g", limits[references[i]].name, values[i]);
+  for (size_t k = 0; success && kind == REAL && k < count; k++)
+    if (!isfinite(values[k])) finding("value %lu of %s ... was read as %g", (unsigned long)k,
+                                      limits[references[0] % MODEL_VARIABLES].name, values[k]);
 }
 
 static double sensible(const Limits *limit) {
@@ -100,8 +106,7 @@ static double sensible(const Limits *limit) {
          (limit->minimum > 0.0 ? between(low, high) : 0.0);
 }
 
-static int may_set(Reference r, double value, Kind kind) {
-  if (r >= MODEL_VARIABLES || limits[r].kind != kind) return 0;
+static int may_set(Reference r, double value) {
   const Limits *limit = &limits[r];
   return limit->settable != SET_NEVER && !(limit->settable == SET_PARAMETER && known.phase == RUNNING) &&
          limits_hold(limit, value);
@@ -109,48 +114,57 @@ static int may_set(Reference r, double value, Kind kind) {
 
 static void try_set(void) {
   Reference references[3];
-  double reals[3];
-  int integers[3];
-  _Bool flags[3];
+  double reals[3 * MOST];
+  int integers[3 * MOST];
+  _Bool flags[3 * MOST];
   const void *of_kind[KINDS] = {reals, integers, flags};
   Kind kind = some_kind();
   int n = below(4);
   int legal = known.phase == FRESH || known.phase == INITIALIZING || known.phase == RUNNING;
+  size_t k = 0;
   for (int i = 0; i < n; i++) {
     Reference r = references[i] = chance(30) ? (Reference)below(MODEL_VARIABLES + 9) : pick(kind, 1);
     while (known.phase == RUNNING && kind == REAL && !chance(20) && r < MODEL_VARIABLES &&
            limits[r].settable == SET_PARAMETER)
       r = references[i] = pick(REAL, 1);
-    reals[i] = chance(20) || r >= MODEL_VARIABLES ? wild() : sensible(&limits[r]);
-    integers[i] = chance(20) ? -(int)(draw() >> 34) : (int)(draw() >> 34);
-    flags[i] = chance(2);
-    legal &= may_set(r, kind == REAL ? reals[i] : kind == INTEGER ? integers[i] : flags[i], kind);
+    legal &= is_variable(r, kind);
+    for (Reference e = r; e < r + (Reference)count_of(r); e++, k++) {
+      reals[k] = chance(20) || r >= MODEL_VARIABLES ? wild() : sensible(&limits[e]);
+      integers[k] = chance(20) ? -(int)(draw() >> 34) : (int)(draw() >> 34);
+      flags[k] = chance(2);
+      legal = legal && may_set(e, kind == REAL ? reals[k] : kind == INTEGER ? integers[k] : flags[k]);
+    }
   }
   int null = n && chance(30);
+  size_t told = miscounted(k);
   const Reference *given = n && !(null && chance(2)) ? references : NULL;
-  JUDGE("setting", legal && !null,
-        door_set(handle, given, (size_t)n, (int)kind, null || !n ? NULL : of_kind[kind]));
+  JUDGE("setting", legal && !null && told == k,
+        door_set_all(handle, given, (size_t)n, (int)kind, null || !n ? NULL : of_kind[kind], told));
 }
 
 static void try_derivative(void) {
   Reference unknowns[3], knowns[2];
-  double seed[2] = {1.0, -2.0}, result[3];
+  double seed[2 * MOST + 1], result[3];
   int nu = below(4), nk = below(3), legal = is_open();
+  size_t count = 0;
+  for (int k = 0; k < 2 * MOST + 1; k++) seed[k] = k % 2 ? -2.0 : 1.0;
   for (int i = 0; i < nu; i++) {
     unknowns[i] = (Reference)below(MODEL_VARIABLES + 3);
-    legal &= unknowns[i] < MODEL_VARIABLES && limits[unknowns[i]].kind == REAL &&
-             limits[unknowns[i]].settable == SET_NEVER;
+    legal = legal && is_variable(unknowns[i], REAL) && limits[unknowns[i]].settable == SET_NEVER;
   }
   for (int i = 0; i < nk; i++) {
     knowns[i] = (Reference)below(MODEL_VARIABLES + 3);
-    legal &= knowns[i] < MODEL_VARIABLES && limits[knowns[i]].kind == REAL;
+    legal &= is_variable(knowns[i], REAL);
+    count += (size_t)count_of(knowns[i]);
     if (legal) {
       Settable s = limits[knowns[i]].settable;
       legal &= s == SET_INPUT || (s != SET_NEVER && known.phase == INITIALIZING);
     }
   }
+  size_t told = miscounted(count);
+  legal &= told == count;
   prepare(legal);
-  int success = door_derivative(handle, unknowns, (size_t)nu, knowns, (size_t)nk, seed, result);
+  int success = door_derivative(handle, unknowns, (size_t)nu, knowns, (size_t)nk, seed, told, result);
   if (legal && is_excused(success, "does not exist")) return;
   judged("a derivative", legal, success);
 }

@@ -19,8 +19,8 @@ static void try_null_pointers(void) {
   JUDGE("the size of nothing", 0, door_size(handle, NULL, &n));
   JUDGE("serializing nothing", 0, door_write(handle, NULL, &value, sizeof value));
   JUDGE("reading nothing", 0, door_read(handle, NULL, sizeof value, &none));
-  JUDGE("a derivative of nothing", 0, door_derivative(handle, NULL, 1, &r, 1, &value, &value));
-  JUDGE("a derivative without a seed", 0, door_derivative(handle, &r, 1, &r, 1, NULL, &value));
+  JUDGE("a derivative of nothing", 0, door_derivative(handle, NULL, 1, &r, 1, &value, 1, &value));
+  JUDGE("a derivative without a seed", 0, door_derivative(handle, &r, 1, &r, 1, NULL, 1, &value));
   JUDGE("logging nothing", 0, door_logging(handle, 1, 1, NULL));
   JUDGE("freeing nothing", 1, door_drop(handle, &none) && door_drop(handle, NULL));
 }

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from fmu_build.equations.dependencies import trace_dependencies
-from tests.fmu_build.importer import Importer
+from tests.fmu_build.importer import Importer, list_elements
 from tests.fmu_build.modelica import COUNTING, SAMPLED, translated
 
 PARAMETERS = {
@@ -129,7 +129,7 @@ def test_sampled_outputs_do_not_follow_inputs_between_ticks(gyro: Importer) -> N
 
 def _declared(importer: Importer) -> dict[str, set[str]]:
     return {
-        unknown.variable.name: {d.name for d in unknown.dependencies}
+        unknown.variable.name: {n for d in unknown.dependencies for n in list_elements(d)}
         for unknown in importer.description.initialUnknowns
     }
 

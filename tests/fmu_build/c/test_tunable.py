@@ -7,7 +7,8 @@ import pytest
 
 from tests.fmu_build.importer import Importer
 
-MAP, CANCELLATION = "controller.biasMap.mean", "controller.cancellation.dampingAnisotropy"
+MAP = {2: "controller.biasMap.mean", 3: "controller.biasMap.coefficients[1]"}
+CANCELLATION = "controller.cancellation.dampingAnisotropy"
 DEPENDENT = "controller.cancellation.quarterCos"
 PUMP = "controller.pump"
 RATE = 1e-3
@@ -32,7 +33,7 @@ def _turn(gyro: Importer, time: float) -> float:
 
 def test_a_new_bias_map_is_taken_out_from_the_next_tick_on(gyro: Importer) -> None:
     before = _turn(gyro, 0.2)
-    gyro.set({MAP: RATE})
+    gyro.set({MAP[gyro.fmi]: RATE})
     _turn(gyro, 0.4)
     assert _turn(gyro, 0.6) - before == pytest.approx(-0.2 * RATE, rel=1e-6)
 
@@ -45,7 +46,7 @@ def test_what_is_computed_from_one_follows(gyro: Importer) -> None:
 def test_a_value_that_is_set_again_changes_no_bit(gyro: Importer, model_folder: Path) -> None:
     other = Importer(model_folder).begin({})
     other.slave.doStep(0.0, 0.2)
-    gyro.set({MAP: 0.0, CANCELLATION: 0.0})
+    gyro.set({MAP[gyro.fmi]: 0.0, CANCELLATION: 0.0})
     for each in (gyro, other):
         each.slave.doStep(0.2, 0.2)
     assert gyro.save() == other.save()
@@ -76,6 +77,11 @@ def test_a_limit_of_valid_output_moves(gyro: Importer) -> None:
 def test_they_are_declared(gyro: Importer) -> None:
     declared = {n for n, v in gyro.variables.items() if v.variability == "tunable"}
     settings = {"quadratureSetpoint", "parametricShare", "startUp.amplitudeTolerance"}
-    assert {MAP, CANCELLATION, DEPENDENT, *(f"controller.{s}" for s in settings)} <= declared
+    assert {
+        MAP[gyro.fmi],
+        CANCELLATION,
+        DEPENDENT,
+        *(f"controller.{s}" for s in settings),
+    } <= declared
     assert "controller.readout.bryanFactor" not in declared
     assert "controller.biasMap.samplePeriod" not in declared

@@ -1,4 +1,4 @@
-"""Figures of docs/methods/witness.md: `python -m benchmarks.witness COMMAND [NUMBERS]`.
+"""Figures of docs/witness-results.md: `python -m benchmarks.witness COMMAND [NUMBERS]`.
 
 command                    what it prints
 bounds [GYROS]             bound of the bias map in each mission class

@@ -128,16 +128,16 @@ def _follow(
     """Replays of changed devices, by their numbers, on courses that are corrected until angles
     agree."""
     replays: dict[int, Replay] = {}
-    left = list(changed)
+    unfollowed = list(changed)
     for _ in range(REPLAYS):
-        for first in range(0, len(left), WIDE):
-            numbers = left[first : first + WIDE]
+        for first in range(0, len(unfollowed), WIDE):
+            numbers = unfollowed[first : first + WIDE]
             devices = [changed[n] for n in numbers]
             witnesses = [gyros[n].witnesses for n in numbers]
             found = replay(fast, devices, witnesses, [courses[n] for n in numbers])
             for n, each in zip(numbers, found, strict=True):
                 replays[n], courses[n] = each, each.following
-        left = [n for n in left if replays[n].angle_error >= tolerance]
+        unfollowed = [n for n in unfollowed if replays[n].angle_error >= tolerance]
     return replays
 
 

@@ -47,21 +47,22 @@ def fly_triads(
         }
         missing = [n for n, _ in group if any(not paths[n, m].exists() for m in MISSIONS)]
         known = {n: (t, believe_triad(fmus[1], distribution, t)) for n, t in group if n in missing}
+        blocks = {number: tabulate_triads(fmus[1], [triad]) for number, (triad, _) in known.items()}
         for place, mission in enumerate(MISSIONS):
             flying = {n: each for n, each in known.items() if not paths[n, mission].exists()}
             if not flying:
                 continue
             numbers = list(flying)
             found = witness_triads(fmus, truths[place], weights[place], place, flying, numbers)
-            for row, (number, (triad, _)) in enumerate(flying.items()):
+            for row, number in enumerate(numbers):
                 own = {name: values[[row]] for name, values in found.items()}
-                block = tabulate_triads(fmus[1], [triad])
                 rows = tabulate_witnesses(
-                    own, block, weights[place], SENSORS, INSIDE, SEED + number
-                )
-                rows["triad"] = number
-                rows = rows.assign(
-                    calibration=distribution.method, mission_class=CLASSES[mission], mission=mission
+                    own, blocks[number], weights[place], SENSORS, INSIDE, SEED + number
+                ).assign(
+                    triad=number,
+                    calibration=distribution.method,
+                    mission_class=CLASSES[mission],
+                    mission=mission,
                 )
                 write_whole(paths[number, mission], rows.to_csv(index=False).encode())
         tables = [pd.read_csv(path) for path in paths.values()]

@@ -14,6 +14,7 @@ import numpy as np
 from ins_eval.error_model.effects import ANGULAR_GAIN
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
+from pyhrg.device.device import AngleMap
 from pyhrg.fmu import GyroFmu
 
 HARMONICS = (2, 4, 6, 8)
@@ -21,6 +22,11 @@ TERMS = 1 + 2 * len(HARMONICS)
 """Number of terms of a map: the mean, and a cosine and a sine of each harmonic."""
 NAMES = ("mean", *(f"{wave}{h}" for h in HARMONICS for wave in ("cos", "sin")))
 """Names of the terms, as in `pyhrg.device.device.AngleMap`, which has no sixth harmonic."""
+
+
+def list_coefficients(angle_map: AngleMap) -> Array:
+    """(TERMS,) coefficients of a map that a bench measured or electronics subtract."""
+    return np.array([getattr(angle_map, name, 0.0) for name in NAMES])
 
 
 def evaluate_terms(angle: Array) -> Array:

@@ -19,7 +19,8 @@ from pyhrg.common.arguments import check_seed, check_whole_minutes, check_whole_
 from pyhrg.common.errors import describe_briefly
 from pyhrg.common.files import stage_files
 
-LONGEST = 24.0
+LONGEST_FLIGHT_HOURS = 24.0
+"""Longest flight, h; the linear model, which chooses the start angles, ends at `LONGEST_HOURS`."""
 MAX_TRIADS = 10_000
 MARGIN = 10.0
 """Time by which trajectories go on beyond the mission's end, s, so that no spline ends in it."""
@@ -77,12 +78,12 @@ def compare_parking(
         HrgError: an argument out of range, or a trajectory that can't be flown.
     """
     check_whole_number("triads", triads, MIN_SAMPLE_FOR_MEDIAN, MAX_TRIADS)
-    minutes = check_whole_minutes("hours", hours, LONGEST)
+    minutes = check_whole_minutes("hours", hours, LONGEST_FLIGHT_HOURS)
     path = load_trajectory(trajectory, minutes * 60 + MARGIN, STILL)
     mission = sample_mission(path, minutes / 60)
-    checked = check_seed(seed)
+    checked_seed = check_seed(seed)
     weights = load_mission_weights(plan_mission(trajectory, min(minutes / 60, LONGEST_HOURS)))
     found = compare(
-        build_fmu(), mission, weights, triads, checked, workers=workers, progress=progress
+        build_fmu(), mission, weights, triads, checked_seed, workers=workers, progress=progress
     )
     return ParkingComparison(**vars(found))

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ins_eval.mission_model.gyro_map import NAMES, TERMS, evaluate_terms, turn_weights
+from ins_eval.mission_model.gyro_map import TERMS, evaluate_terms, list_coefficients, turn_weights
 from ins_eval.mission_model.mission_weights import MissionWeights
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
@@ -37,7 +37,7 @@ def choose_start_angles(weights: MissionWeights, maps: Sequence[AngleMap]) -> Ar
 
 def _predict_errors(weights: MissionWeights, axis: int, bias_map: AngleMap) -> Array:
     """(candidates, 2 k) error north and east at all kept times by one gyro, m."""
-    coefficients = np.array([getattr(bias_map, name, 0.0) for name in NAMES])
+    coefficients = list_coefficients(bias_map)
     taken_out = evaluate_terms(CANDIDATES) @ coefficients
     at_zero = weights.maps[:, :, :TERMS]
     starts = np.broadcast_to(CANDIDATES[:, None], (len(CANDIDATES), at_zero.shape[-1]))

@@ -7,10 +7,10 @@ import numpy as np
 
 from ins_eval.mission_model.gyro_map import (
     FAST,
-    NAMES,
     SLOW,
     TERMS,
     Sweep,
+    list_coefficients,
     measure_gyro_map,
     start_maps,
 )
@@ -88,8 +88,9 @@ def compute_turning_bias(device: Device, coefficients: Array, angle: float) -> A
     that the electronics subtract from the output, and the residual one."""
     warm = slice_coefficients(slice(STEADY.start, WARMING.stop))
     residual = coefficients[warm].reshape(3, -1).sum(axis=0)
-    corrected = np.array([getattr(device.bias_map, name, 0.0) for name in NAMES])
-    return start_at(residual[:TERMS] + corrected, angle)[list(TURNING_TERMS)]
+    return start_at(residual[:TERMS] + list_coefficients(device.bias_map), angle)[
+        list(TURNING_TERMS)
+    ]
 
 
 def list_slow_parameters(device: Device) -> Mapping[str, float]:

@@ -209,7 +209,7 @@ def _generate_functions(where: Coordinates) -> Functions:
     yield "time", "time since power-on", None, time / 3600
     for constant in WARM_UP_TIMES:
         yield "time", f"settling in {constant:g} s", None, np.exp(-time / constant)
-    for period in where.test.periods:
+    if (period := where.test.line_period) is not None:
         cycle = make_harmonic(2 * math.pi * time / period)
         yield "time", f"harmonic 1 of a period of {period:g} s", 1, cycle
     yield "time", EACH_POWER_ON, None, np.ones(len(time))

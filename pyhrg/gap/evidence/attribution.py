@@ -246,10 +246,10 @@ class _Iteration:
         period = find_period(
             compute_checked_residuals(hypothesis, effects, self.parts, self._nominal)
         )
-        known = self._tests[0].periods
-        if period is None or any(math.isclose(period, p, rel_tol=LINE_WIDTH) for p in known):
+        known = self._tests[0].line_period
+        if period is None or (known and math.isclose(period, known, rel_tol=LINE_WIDTH)):
             return False
-        self._tests = [replace(test, periods=(period,)) for test in self._tests]
+        self._tests = [replace(test, line_period=period) for test in self._tests]
         pairs = zip(self.parts, self._tests, strict=True)
         self.parts = [part.observe(test) for part, test in pairs]
         return True

@@ -133,7 +133,7 @@ def compute_separations(
         for power_on in power_ons:
             coarse = replace(bench, step=min(COARSE_STEP, power_on.programme.interval))
             test = observe_test(coarse.log(power_on), bench.device)
-            test = replace(test, periods=attribution.parts[0].test.periods)
+            test = replace(test, line_period=attribution.parts[0].test.line_period)
             parts.append(_linearize(simulation, attribution, test, sizes[0], groups))
         designs = []
         for h in hypotheses:

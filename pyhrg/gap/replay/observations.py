@@ -68,7 +68,7 @@ class ObservedTest:
         bench's angles add to a comparison; a channel without any is missing.
     noise_growth: (n,) by channel: standard deviation of its noise over that at nominal amplitude;
         a channel whose noise does not grow is missing.
-    periods: of a line that the residuals of the campaign show, s; none where they show none.
+    line_period: of a line that the residuals of the campaign show, s.
     """
 
     test: Test
@@ -77,7 +77,7 @@ class ObservedTest:
     transient: Mask
     reading_noise: Mapping[str, Array] = field(default_factory=dict)
     noise_growth: Mapping[str, Array] = field(default_factory=dict)
-    periods: tuple[float, ...] = ()
+    line_period: float | None = None
 
     def read_noise(self, channel: str, rows: Mask | None = None) -> Array | None:
         """Reading noise of a channel in all rows or in some; None where there is none."""

@@ -61,5 +61,5 @@ def test_a_periodic_bias_is_a_term_of_its_period(simulation: Simulation) -> None
     ((term, size),) = found.ranking.best.sizes.items()
     assert isinstance(term, CandidateTerm)
     assert (term.coordinate, term.function[:20]) == ("time", "bias: harmonic 1 of ")
-    assert found.parts[0].test.periods == pytest.approx([23.7], rel=0.01)
+    assert found.parts[0].test.line_period == pytest.approx(23.7, rel=0.01)
     assert np.hypot(*size) == pytest.approx(0.5 * DEG_PER_H, rel=0.1)

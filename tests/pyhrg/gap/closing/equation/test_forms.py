@@ -49,7 +49,7 @@ def _evaluate(modelica: str, where: Coordinates) -> np.ndarray:
 @pytest.mark.parametrize("test_id", ["warm", "tumble", "virtual", "sweep"])
 def test_an_expression_gives_its_columns(error_free: Campaign, test_id: str) -> None:  # noqa: F811
     test = next(test for test in error_free.tests if test.id == test_id)
-    observed = replace(observe_test(test, NOMINAL), periods=(23.7021,))
+    observed = replace(observe_test(test, NOMINAL), line_period=23.7021)
     n = len(test.log.time)
     replay = {
         "wave_angle": np.linspace(0.2, 1.9, n),

@@ -148,6 +148,7 @@ class _Iteration:
     _error_limit: upper limit of the next one.
     _visited_sets: most probable set of each round so far.
     _compared_groups: set of effects for which the noises were compared last.
+    _last_exact: last hypothesis without linearization error; the next search starts from it.
     """
 
     def __init__(
@@ -164,6 +165,7 @@ class _Iteration:
         self._linearization_error = self._error_limit = math.inf
         self._visited_sets: list[frozenset[Group]] = []
         self._compared_groups: tuple[Group, ...] | None = None
+        self._last_exact: Hypothesis | None = None
         self.device = nominal
         self.noise = NoiseHypothesis(build_angle_noise(nominal), ())
         self.parts: list[LinearTest] = []
@@ -234,9 +236,10 @@ class _Iteration:
         nominal, error = self._nominal, self._linearization_error
         if error:
             return rank_under_noise(self.noise, nominal, self.parts, error)
-        hypothesis = rank_with_forms(self.noise, nominal, self.parts)
+        hypothesis = rank_with_forms(self.noise, nominal, self.parts, self._last_exact)
         if self._take_period(hypothesis):
             hypothesis = rank_with_forms(self.noise, nominal, self.parts)
+        self._last_exact = hypothesis
         return hypothesis
 
     def _take_period(self, hypothesis: Hypothesis) -> bool:

@@ -12,7 +12,7 @@ from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, Family
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import build_design, measure_power, select_groups
-from pyhrg.gap.effects.form import find_forms
+from pyhrg.gap.effects.form import Form, find_forms
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.known_parameters import KnownParameters
 from pyhrg.gap.effects.linear_test import Group, LinearTest
@@ -67,11 +67,13 @@ def _fit_single_cause(first: Hypothesis, parts: Sequence[LinearTest]) -> Fit:
     errors = [_allow_forms(f, first, parts) for f in seen]
     forms = {form: None for error in errors for form in error.sigmas}
     whole = first.discount(build_design(parts, first.channel_noise, forms=tuple(forms)))
-    known = {g: s for g, s in first.known.tolerances.items() if isinstance(g, Effect)}
 
     def score(fitted: Fit, error: FormError) -> float:
-        own = select_groups(whole, [*{*known, *fitted.groups, *error.terms, *error.sigmas}])
-        marginal = KnownParameters(own, {**known, **error.sigmas}, error.terms).marginal
+        known = first.known.tolerances.items()
+        tolerances: dict[Effect | Form, float] = {g: s for g, s in known if isinstance(g, Effect)}
+        tolerances.update(error.sigmas.items())
+        own = select_groups(whole, [*dict.fromkeys((*tolerances, *fitted.groups, *error.terms))])
+        marginal = KnownParameters(own, tolerances, error.terms).marginal
         alone = fit(marginal, fitted.groups)
         return marginal.log_likelihood + alone.log_evidence if alone else -math.inf
 

@@ -94,7 +94,7 @@ class LinearTest:
         """(n,) or (n, m) shapes by channel that the simulation lacks, of a size up to about 1: the
         next order of the carrier's average, and of the thermometer's lag; in the output angle its
         origin, with which the pattern's start is wrong too, and what the thermometer's noise makes
-        of it (docs/methods/whitening.md, Eqs. 18 to 19a).
+        of it (docs/methods/whitening.md, Eqs. 18 to 19).
         """
         device, interval = self.device, self.test.log.interval
         shapes = dict(compute_carrier_terms(device, self.test, self.where.pattern_angle))

@@ -85,9 +85,13 @@ class Fit:
 
 
 def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
-    """Fit a set of groups (Eq. (3)); None where some of them are collinear in these tests."""
+    """Fit a set of groups (Eq. (3)); None where some of them are collinear in these tests, or where
+    an effect and a candidate term are the same function: what has a name is not shared with what
+    has none."""
     if not groups:
         return Fit((), 0.0, 0.0, (), ())
+    if any(design.namesakes.get(g) in groups for g in groups if isinstance(g, Effect)):
+        return None
     groups = sorted(groups, key=lambda group: isinstance(group, CandidateTerm))
     ends = list(accumulate(len(design.columns[group]) for group in groups))
     parts = [slice(end - len(design.columns[g]), end) for g, end in zip(groups, ends, strict=True)]

@@ -1,5 +1,5 @@
-"""Lines, stretches of other noise and noise that comes and goes are found in residuals; steady noise
-has none of them."""
+"""Lines, stretches of other noise and noise in spells are found in residuals; steady noise has none
+of them."""
 
 import re
 

@@ -43,8 +43,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--fmu",
         type=Path,
         metavar="FILE",
-        help="simulate this FMU with the parameters of --device: of a class of your own that is or "
-        "holds an HRG (hrg build --class), or closed.fmu of a diagnosis",
+        help="FMU of your own gyro class (hrg build --class) or closed.fmu of a diagnosis, to be "
+        "simulated with the parameters of --device",
     )
     parser.add_argument(
         "--seed", type=int, default=1, metavar="N", help="seed of all random numbers (default 1)"

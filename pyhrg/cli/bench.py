@@ -13,7 +13,7 @@ from pyhrg.common.files import check_output_folder
 if TYPE_CHECKING:
     from pyhrg.bench.procedure import Procedure
 
-HELP = "test a gyro as it is used: procedures on the FMU or on recorded logs"
+HELP = "run bench tests on a simulated gyro or on recorded logs"
 
 ALL = "all"
 

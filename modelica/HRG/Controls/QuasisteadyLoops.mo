@@ -1,6 +1,7 @@
 within HRG.Controls;
 block QuasisteadyLoops "Loops that follow at once, and the forces they need"
   parameter Units.Time samplePeriod "Period of the output: loops come to rest within a few";
+  Boolean tick = sample(0, samplePeriod) "Each period of the output";
   final parameter Units.Time controlPeriod = 1e-3 "Control period of the electronics, which hold their forces for it";
   parameter Units.Time loopDelay(min = 0, max = 0.1) = 0
     "Age of the angle that forces are resolved with, beyond the sample, typically up to 1e-3";
@@ -69,7 +70,7 @@ equation
   der(antinode) = ((1 - parametricShare)*motion[5] - antinode)/samplePeriod;
   der(node) = (motion[7] - node)/samplePeriod;
   der(square) = (motion[6] - square)/samplePeriod;
-  when sample(0, samplePeriod) then
+  when tick then
     passed = pre(started);
     started = 1;
     mean = {(amplitude - pre(last[1]))/samplePeriod, (quadrature - pre(last[2]))/samplePeriod, (phase - pre(last[3]))/samplePeriod};

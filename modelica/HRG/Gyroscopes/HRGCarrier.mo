@@ -6,6 +6,7 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
   Electrodes.Ring ring "Electrodes around the shell";
   Resonators.CarrierResonator resonator(
     final thermalPeriod = 1e-2,
+    thermalTick = thermal.tick,
     material(frequency(max = 2.5e5), ringErrors = ring.errors),
     startAngle = startAngle,
     startAmplitude = startAmplitude,
@@ -21,7 +22,9 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
   Electrodes.CarrierPickOff pickOff(
     ringErrors = ring.errors,
     samplePeriod = samplePeriod,
+    tick = control.tick,
     converterPeriod = converterPeriod,
+    conversion = conversion,
     startAngle = startAngle,
     startAmplitude = startAmplitude,
     position = resonator.oscillator.position,
@@ -48,13 +51,16 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     noise = noise.force) "Drives";
   Noise.CoefficientFlicker flicker(
     samplePeriod = resonator.thermalPeriod,
+    tick = thermal.tick,
     seed = seed) "Flicker of coefficients of the shell and the pick-offs";
   Noise.ElectronicsNoise noise(
     samplePeriod = samplePeriod,
+    tick = control.tick,
     bryanFactor = resonator.material.bryanFactor,
     seed = seed) "Noise of drives, pick-offs and electronics";
   Controls.Controller controller(
     samplePeriod = samplePeriod,
+    tick = control.tick,
     startAngle = startAngle,
     startForce = startAmplitude/resonator.material.decayTime,
     frequency = resonator.material.frequency,
@@ -67,9 +73,14 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     rateNoise = noise.patternRate,
     gainNoise = noise.rotation) "Control electronics";
 protected
+  Boolean conversion = sample(0, converterPeriod) "The one clock: each sample of the converters";
+  Controls.ClockDivider control(final factor = 200, clock = conversion) "Control periods";
+  Controls.ClockDivider thermal(final factor = 10, clock = control.tick) "Samples of temperature and flicker";
   Resonators.Interpolation interpolation(
     samplePeriod = samplePeriod,
+    tick = control.tick,
     thermalPeriod = resonator.thermalPeriod,
+    thermalTick = thermal.tick,
     startTemperature = resonator.environment.startTemperature,
     temperature = resonator.environment.temperature,
     gradient = resonator.environment.gradient) "Temperatures between their samples";

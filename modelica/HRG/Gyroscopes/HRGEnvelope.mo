@@ -6,6 +6,7 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
     annotation (Placement(transformation(extent = {{150, 100}, {190, 140}})));
   Resonators.Resonator resonator(
     final thermalPeriod = 1e-2,
+    thermalTick = thermal.tick,
     material(ringErrors = ring.errors),
     startAngle = startAngle,
     startAmplitude = startAmplitude,
@@ -28,30 +29,38 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
     annotation (Placement(transformation(extent = {{-110, 20}, {-70, 60}})));
   Noise.CoefficientFlicker flicker(
     samplePeriod = resonator.thermalPeriod,
+    tick = thermal.tick,
     seed = seed) "Flicker of coefficients of the shell and the pick-offs"
     annotation (Placement(transformation(extent = {{-110, 108}, {-70, 138}})));
   Noise.ElectronicsNoise noise(
     samplePeriod = samplePeriod,
+    tick = tick,
     bryanFactor = resonator.material.bryanFactor,
     seed = seed) "Noise of drives, pick-offs and electronics"
     annotation (Placement(transformation(extent = {{-150, -60}, {-110, -20}})));
   replaceable Controls.Controller controller(
     samplePeriod = samplePeriod,
+    tick = tick,
     startAngle = startAngle,
     startForce = startAmplitude/resonator.material.decayTime,
     frequency = resonator.material.frequency,
     authority = drive.authority) "Control electronics; redeclared, a controller of one's own closes the loops"
     constrainedby Interfaces.PartialElectronics(
     samplePeriod = samplePeriod,
+    tick = tick,
     startAngle = startAngle,
     startForce = startAmplitude/resonator.material.decayTime,
     frequency = resonator.material.frequency,
     authority = drive.authority)
     annotation (choicesAllMatching = true, Placement(transformation(extent = {{-36, -128}, {36, -8}})));
 protected
+  Boolean tick = sample(0, samplePeriod) "The one clock: each control period";
+  Controls.ClockDivider thermal(final factor = 10, clock = tick) "Samples of temperature and flicker";
   Resonators.Interpolation interpolation(
     samplePeriod = samplePeriod,
+    tick = tick,
     thermalPeriod = resonator.thermalPeriod,
+    thermalTick = thermal.tick,
     startTemperature = resonator.environment.startTemperature,
     temperature = resonator.environment.temperature,
     gradient = resonator.environment.gradient) "Temperatures between their samples";

@@ -20,6 +20,7 @@ model HRGPlant "Resonator, pick-offs and drives of HRGEnvelope, for electronics 
   Electrodes.Ring ring "Electrodes around the shell";
   Resonators.Resonator resonator(
     final thermalPeriod = 1e-2,
+    thermalTick = thermal.tick,
     material(ringErrors = ring.errors),
     startAngle = startAngle,
     startAmplitude = startAmplitude,
@@ -61,15 +62,21 @@ model HRGPlant "Resonator, pick-offs and drives of HRGEnvelope, for electronics 
     noise = noise.force) "Drives";
   Noise.CoefficientFlicker flicker(
     samplePeriod = resonator.thermalPeriod,
+    tick = thermal.tick,
     seed = seed) "Flicker of coefficients of the shell and the pick-offs";
   Noise.ElectronicsNoise noise(
     samplePeriod = samplePeriod,
+    tick = tick,
     bryanFactor = resonator.material.bryanFactor,
     seed = seed) "Noise of drives and pick-offs; that of the electronics is left to them";
 protected
+  Boolean tick = sample(0, samplePeriod) "The one clock: each control period";
+  Controls.ClockDivider thermal(final factor = 10, clock = tick) "Samples of temperature and flicker";
   Resonators.Interpolation interpolation(
     samplePeriod = samplePeriod,
+    tick = tick,
     thermalPeriod = resonator.thermalPeriod,
+    thermalTick = thermal.tick,
     startTemperature = resonator.environment.startTemperature,
     temperature = resonator.environment.temperature,
     gradient = resonator.environment.gradient) "Temperatures between their samples";

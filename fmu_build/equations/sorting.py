@@ -70,8 +70,9 @@ def sort_equations(dae: Dae) -> Schedule:
     held = {t: continuous[t] for t in continuous if t in state_free and t in used}
     motion = _motion(dae, {t: continuous[t] for t in continuous if t in used and t not in held})
     readings = _readings(dae, continuous, sampled)
-    tick = {t: a for t, a in sampling.items() if t not in held and t not in motion} | readings
-    tick |= _changing(dae, held, sampled)
+    own = {t: a for t, a in sampling.items() if t not in held and t not in motion}
+    # what the next step begins with comes first: it need not wait for the rest of the sample
+    tick = _changing(dae, held, sampled) | own | readings
     done = held | motion | readings
     rest = {t: a for t, a in continuous.items() if t not in done and t[0] == "variable"}
     return Schedule(

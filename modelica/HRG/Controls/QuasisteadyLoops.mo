@@ -36,6 +36,8 @@ block QuasisteadyLoops "Loops that follow at once, and the forces they need"
   output Units.RelativeForce force[4] "Force in action, for the feedthrough, {cos x, sin x, cos y, sin y}";
 protected
   final parameter Units.DampingCoefficient quickness = 1/(3*samplePeriod) "Of the loops";
+  Units.DimensionlessRatio commandShare "Rate of the modal angle per commanded one";
+  Units.AngularVelocity freeTurning "Rate of the modal angle without a command";
   Units.AngularVelocity turning "Rate of the modal angle, as commanded and as the case turns";
   Units.Angle hold "Modal angle by which held forces lag in the mean";
   Units.Angle delay "Modal angle by which delayed forces lag";
@@ -53,10 +55,12 @@ protected
 equation
   command = noEvent(if driveOn > 0 then 1/driveOn else 0);
   detection = deviation(analogue, axes);
-  turning = (1 - rebalance)*(2*patternRate*driveOn - coupling) + rebalance*2*sweepRate*driveOn;
+  commandShare = (1 - rebalance)*2*driveOn;
+  freeTurning = rebalance*2*sweepRate*driveOn - (1 - rebalance)*coupling;
+  turning = commandShare*patternRate + freeTurning;
   hold = controlPeriod/2*turning;
   delay = loopDelay*turning;
-  turn = {1 - delay*delay/2, delay - delay*delay*delay/6};
+  turn = {1 - delay*delay/2, delay - 1/6*delay*delay*delay};
   aim = {
     (turn[1] - hold*turn[2])*detection[4] + (turn[2] + hold*turn[1])*detection[5],
     (turn[1] - hold*turn[2])*detection[5] - (turn[2] + hold*turn[1])*detection[4]};
@@ -66,7 +70,7 @@ equation
      quickness*(amplitudeAim - detection[1]) + amplitudeRate,
      quickness*(quadratureAim - detection[2]),
      quickness*(phaseAim - phase - detection[3])},
-    patternRate*(1 - hold*hold/3), rebalance);
+    patternRate*(1 - 1/3*hold*hold), rebalance);
   der(antinode) = ((1 - parametricShare)*motion[5] - antinode)/samplePeriod;
   der(node) = (motion[7] - node)/samplePeriod;
   der(square) = (motion[6] - square)/samplePeriod;

@@ -72,7 +72,8 @@ def sort_equations(dae: Dae) -> Schedule:
     readings = _readings(dae, continuous, sampled)
     own = {t: a for t, a in sampling.items() if t not in held and t not in motion}
     # what the next step begins with comes first: it need not wait for the rest of the sample
-    tick = _changing(dae, held, sampled) | own | readings
+    changing = _changing(dae, held, sampled)
+    tick = {t: a for t, a in changing.items() if t in needed} | own | changing | readings
     done = held | motion | readings
     rest = {t: a for t, a in continuous.items() if t not in done and t[0] == "variable"}
     return Schedule(

@@ -51,7 +51,8 @@ protected
   discrete Units.DimensionlessRatio started(start = 0, fixed = true) "1 from the first sample on";
   discrete Units.DimensionlessRatio passed(start = 0, fixed = true) "1 from the second sample on";
   discrete Units.DimensionlessRatio last[3](each start = 0, each fixed = true) "Amplitude, quadrature and phase at the last sample";
-  discrete Units.DampingCoefficient mean[3](each start = 0, each fixed = true) "Their mean rates over the last period";
+  discrete Units.DimensionlessRatio change[3](each start = 0, each fixed = true) "Of them over the last period";
+  Units.DampingCoefficient mean[3] "Their mean rates over the last period";
 equation
   command = noEvent(if driveOn > 0 then 1/driveOn else 0);
   detection = deviation(analogue, axes);
@@ -60,7 +61,7 @@ equation
   turning = commandShare*patternRate + freeTurning;
   hold = controlPeriod/2*turning;
   delay = loopDelay*turning;
-  turn = {1 - delay*delay/2, delay - 1/6*delay*delay*delay};
+  turn = {1 - delay*delay/2, delay - 1/6*delay*(delay*delay)};
   aim = {
     (turn[1] - hold*turn[2])*detection[4] + (turn[2] + hold*turn[1])*detection[5],
     (turn[1] - hold*turn[2])*detection[5] - (turn[2] + hold*turn[1])*detection[4]};
@@ -77,9 +78,10 @@ equation
   when tick then
     passed = pre(started);
     started = 1;
-    mean = {(amplitude - pre(last[1]))/samplePeriod, (quadrature - pre(last[2]))/samplePeriod, (phase - pre(last[3]))/samplePeriod};
+    change = {amplitude - pre(last[1]), quadrature - pre(last[2]), phase - pre(last[3])};
     last = {amplitude, quadrature, phase};
   end when;
+  mean = {change[1]/samplePeriod, change[2]/samplePeriod, change[3]/samplePeriod};
   effort = 2*passed*motion[10]/(driveGain[1] + driveGain[4]);
   growthRate = (motion[5] + effort*(mean[1] - motion[2]))/detection[1];
   quadratureForce = motion[6] + effort*(mean[2] - motion[3]);

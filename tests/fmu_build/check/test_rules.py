@@ -203,6 +203,24 @@ CASES: list[tuple[str, int, Callable[[Content], None], str]] = [
         description('min="100.0" max="500.0"', 'min="300.0" max="500.0"'),
         "below its min 300.0",
     ),
+    (
+        "an array has a start value",
+        3,
+        description('<Dimension start="7" />', '<Dimension start="6" />'),
+        "controller.biasMap.coefficients has 7 start values for 6 elements",
+    ),
+    (
+        "an array has a start value",
+        3,
+        description('start="298.15"', 'start="298.15 298.15"'),
+        "has 2 start values for 1 elements",
+    ),
+    (
+        "an array has a start value",
+        3,
+        description('<Dimension start="7" />', '<Dimension valueReference="0" />'),
+        "controller.biasMap.coefficients has the dimensions 0",
+    ),
     ("min lies below max", 3, description('min="100.0"', 'min="1e4"'), "the min 1e4 above"),
     (
         "nominal values are above",

@@ -5,8 +5,8 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
   final parameter Units.Time converterPeriod = 5e-6 "Sample period of the converters";
   Electrodes.Ring ring "Electrodes around the shell";
   Resonators.CarrierResonator resonator(
-    final thermalPeriod = 1e-2,
-    thermalTick = thermal.tick,
+    samplePeriod = samplePeriod,
+    tick = control.tick,
     material(frequency(max = 2.5e5), ringErrors = ring.errors),
     startAngle = startAngle,
     startAmplitude = startAmplitude,
@@ -33,8 +33,8 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
     gradient = resonator.environment.gradient,
-    rise = interpolation.rise,
-    missing = interpolation.missing,
+    rise = resonator.interpolation.rise,
+    missing = resonator.interpolation.missing,
     age = resonator.environment.age,
     turning = controller.commandedTurn - (1 - controller.forceToRebalance)*resonator.material.coupling,
     biasVoltage = biasVoltage,
@@ -51,7 +51,7 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     noise = noise.force) "Drives";
   Noise.CoefficientFlicker flicker(
     samplePeriod = resonator.thermalPeriod,
-    tick = thermal.tick,
+    tick = resonator.thermalTick,
     seed = seed) "Flicker of coefficients of the shell and the pick-offs";
   Noise.ElectronicsNoise noise(
     samplePeriod = samplePeriod,
@@ -75,15 +75,6 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
 protected
   Boolean conversion = sample(0, converterPeriod) "The one clock: each sample of the converters";
   Controls.ClockDivider control(final factor = 200, clock = conversion) "Control periods";
-  Controls.ClockDivider thermal(final factor = 10, clock = control.tick) "Samples of temperature and flicker";
-  Resonators.Interpolation interpolation(
-    samplePeriod = samplePeriod,
-    tick = control.tick,
-    thermalPeriod = resonator.thermalPeriod,
-    thermalTick = thermal.tick,
-    startTemperature = resonator.environment.startTemperature,
-    temperature = resonator.environment.temperature,
-    gradient = resonator.environment.gradient) "Temperatures between their samples";
 equation
   gyroAngle = controller.gyroAngle;
   gyroRate = controller.gyroRate;

@@ -4,7 +4,7 @@ block ClockDivider "Every so-many-th tick of a clock"
   input Boolean clock "Ticks that are counted";
   output Boolean tick "The first of them, and each factor-th from there";
 protected
-  discrete Real count(start = factor - 1, fixed = true) "Ticks since the last one that passed";
+  discrete Units.DimensionlessRatio count(start = factor - 1, fixed = true) "Ticks since the last one that passed";
 equation
   when clock then
     count = if pre(count) > factor - 1.5 then 0 else pre(count) + 1;

@@ -14,6 +14,7 @@ from pyhrg.common.progress import Progress
 HELP = "choose by the gyros' maps where to park patterns and how to turn case or patterns"
 CHOOSING = ("bench_drift", "start_angles_deg", "device")
 FLYING = ("triads", "seed")
+NO_BENCH = "no --bench, expected it beside this option"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -42,8 +43,8 @@ def run(options: argparse.Namespace) -> None:
     mission = collect_given(options, ("trajectory", "hours"))
     choosing, flying = collect_given(options, CHOOSING), collect_given(options, FLYING)
     for name in flying if options.bench else choosing:
-        expected = "no --bench" if options.bench else "--bench"
-        raise HrgError(f"--{name.replace('_', '-')}: expected {expected} beside it")
+        found = "--bench, expected none beside this option" if options.bench else NO_BENCH
+        raise HrgError(f"--{name.replace('_', '-')}: found {found}")
     if options.bench:
         chosen = ins_eval.choose_schedules(options.bench, **mission, **choosing)
         print(json.dumps(chosen.document, indent=1) if options.json else chosen.summary)

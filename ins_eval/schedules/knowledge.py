@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ins_eval.mission_model.bench_map import BenchMap, make_bench_map
-from ins_eval.mission_model.gyro_map import TERMS, evaluate_terms, fit_coefficients
+from ins_eval.mission_model.gyro_map import NAMES, TERMS, evaluate_terms, fit_coefficients
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.calibration.calibration import plan_power_ons
@@ -16,6 +16,8 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
 
+PICK_OFF_TERMS = ("cos4", "sin4")
+"""Terms of the scale factor that gain mismatch and nonorthogonality of pick-offs make."""
 SETTLING_ROWS = 10
 """Rows of 1 s before the first reading of a pattern that is turned. Chosen."""
 
@@ -52,12 +54,13 @@ def describe_gyro(
 ) -> KnownGyro:
     """A gyro by its bench's maps, with the noise that the device states.
 
-    rotation: (TERMS,) error per virtual rotation; by default that of the pick-offs, which the
-    scale factor has with the other sign, without its mean.
+    rotation: (TERMS,) error per virtual rotation; by default that by the pick-offs alone
+    (docs/schedules.md, Eq. 5).
     """
     if rotation is None:
-        values = np.append(0.0, -measured.values[TERMS + 1 :])
-        rotation = BenchMap(values, np.append(0.0, measured.variances[TERMS + 1 :]))
+        share = np.where(np.isin(NAMES, PICK_OFF_TERMS), -0.5, -1.0)
+        scale = slice(TERMS, 2 * TERMS)
+        rotation = BenchMap(share * measured.values[scale], share**2 * measured.variances[scale])
     variances = np.concatenate([measured.variances, rotation.variances])
     return KnownGyro(
         values=np.concatenate([measured.values, rotation.values]),

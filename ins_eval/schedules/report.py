@@ -168,35 +168,39 @@ def _describe_sweep(sweep: Sweep) -> dict[str, Any]:
 def summarize_choice(document: dict[str, Any]) -> str:
     """The schedules that `ChosenSchedules.document` holds, in words."""
     families = document["families"]
-    parked = families["parking"]["start_angles_deg"]
-    case = families["indexing"]["case"]
-    rows = [
-        ("no schedule", document["unscheduled_rms_m"], ""),
-        ("park the patterns", families["parking"]["rms_m"], _describe_parking(parked)),
-        ("turn the case", families["indexing"]["rms_m"], f"{_describe_motion(case)}"),
-        ("turn the patterns", families["virtual_rotation"]["rms_m"], ""),
-    ]
-    lines = [
-        f"Rms horizontal position error within {document['hours']:g} h on {document['mission']}, "
-        "predicted by the linear model, m",
-        "",
-        *(f"{name:<20}{rms:10.4g}   {how}".rstrip() for name, rms, how in rows),
-    ]
-    sweeps = families["virtual_rotation"]["virtual_rotation"]
-    for axis, sweep in zip(AXIS_NAMES, sweeps, strict=True):
-        lines.append(f"{'':33}{axis}: {_describe_motion(sweep)}")
-    return "\n".join(lines)
+    parked, indexed, turned = (families[family.name] for family in FAMILIES)
+    return "\n".join(
+        [
+            f"Rms horizontal position error within {document['hours']:g} h on "
+            f"{document['mission']}, predicted by the linear model, m",
+            "",
+            f"{document['unscheduled_rms_m']:8.4g}   without a schedule",
+            f"{parked['rms_m']:8.4g}   patterns parked: {_describe_parking(parked)}",
+            f"{indexed['rms_m']:8.4g}   case turned: {_describe_motion(indexed['case'])}",
+            f"{turned['rms_m']:8.4g}   patterns turned by virtual rotation:",
+            *(
+                f"{'':13}{axis}: {_describe_motion(sweep)}; {taken} taken out"
+                for axis, sweep, taken in zip(
+                    AXIS_NAMES, turned["virtual_rotation"], turned["taken_out"], strict=True
+                )
+            ),
+            "",
+            "Elsewhere the map's value at the start is taken out of the gyros forward and right, "
+            "its mean of the gyro down.",
+        ]
+    )
 
 
-def _describe_parking(angles: list[float | None]) -> str:
-    given = zip(AXIS_NAMES, angles, strict=True)
+def _describe_parking(parked: dict[str, Any]) -> str:
+    given = zip(AXIS_NAMES, parked["start_angles_deg"], strict=True)
     return ", ".join(f"{axis} at {angle:g} deg" for axis, angle in given if angle is not None)
 
 
 def _describe_motion(sweep: dict[str, Any]) -> str:
+    start = f"from {sweep['start_deg']:g} deg on, " if sweep["start_deg"] else ""
     if not sweep["rate_deg_per_s"]:
-        return f"stays at {sweep['start_deg']:g} deg"
+        return f"{start}not at all"
     return (
-        f"from {sweep['start_deg']:g} deg at {sweep['rate_deg_per_s']:.3g} deg/s, back after "
+        f"{start}at {sweep['rate_deg_per_s']:.3g} deg/s, back after "
         f"{sweep['turns_back_after_deg']:.4g} deg"
     )

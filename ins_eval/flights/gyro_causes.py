@@ -72,10 +72,19 @@ def _measure_own_error(
 ) -> Array:
     """(n, 3) as `_Replay.measure_error`, of the gyros' own FMU; coarse: steps of the result."""
     quiet = gyros.change(lambda device: replace(device.without_noise(), quantization_step=0.0))
-    drawn = replace(quiet, start_up=False).draw(np.random.default_rng(seed))
-    error = quiet.record(drawn, truth, mounting).rotation - mounting.project(truth.rotation)
+    error = _measure_error(quiet, truth, mounting, seed)
     fine = Increments(truth.interval, error, np.zeros_like(error), truth.start)
     return sum_over_steps(fine, coarse.start, coarse.interval, len(coarse)).rotation
+
+
+def _measure_error(
+    gyros: FmuGyros, truth: Increments, mounting: Mounting, seed: int, step: float = 0.0
+) -> Array:
+    """(n, 3) increments about the input axes less the true ones, rad, of gyros of a seed that
+    vibrate at full amplitude from the beginning; step: of their FMU, s, 0 for the usual one."""
+    drawn = replace(gyros, start_up=False).draw(np.random.default_rng(seed))
+    benches = [replace(bench, step=step or bench.step) for bench in drawn]
+    return gyros.record(benches, truth, mounting).rotation - mounting.project(truth.rotation)
 
 
 @dataclass(frozen=True)
@@ -89,11 +98,8 @@ class _Replay:
 
     def measure_error(self, gyros: FmuGyros) -> Array:
         """(n, 3) increments about the input axes less the true ones, rad."""
-        slow = replace(gyros.change(self._slow_down), start_up=False, fmu=self.fmu)
-        drawn = slow.draw(np.random.default_rng(self.seed))
-        benches = [replace(bench, step=self.truth.interval) for bench in drawn]
-        reading = slow.record(benches, self.truth, self.mounting)
-        return reading.rotation - self.mounting.project(self.truth.rotation)
+        slow = replace(gyros.change(self._slow_down), fmu=self.fmu)
+        return _measure_error(slow, self.truth, self.mounting, self.seed, self.truth.interval)
 
     def _slow_down(self, device: Device) -> Device:
         """The device without noise, and without parameters that `HRGSlow` doesn't have."""

@@ -12,7 +12,8 @@ from numpy.polynomial import chebyshev
 from numpy.polynomial.polynomial import polyval
 
 from pyhrg.common.arrays import Array
-from pyhrg.gap.effects.candidate_terms import CandidateTerm, Coordinates
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
+from pyhrg.gap.effects.coordinates import Coordinates
 from pyhrg.gap.effects.term_columns import generate_terms
 
 MULTIPLES = range(2, 16)

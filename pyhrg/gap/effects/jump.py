@@ -7,7 +7,8 @@ from typing import Literal
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.gap.effects.candidate_terms import CandidateTerm, Coordinates
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
+from pyhrg.gap.effects.coordinates import Coordinates
 
 Kind = Literal["bias", "pattern", "output"]
 """What changes: the bias from then on; the pattern angle at once; or the output angle alone, as

@@ -9,8 +9,9 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
-from pyhrg.gap.effects.candidate_terms import CandidateTerm, Coordinates
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
+from pyhrg.gap.effects.coordinates import Coordinates
 from pyhrg.gap.effects.form import Form, build_form_columns, build_reading_columns
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.term_columns import build_term_columns

@@ -7,8 +7,8 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
-from pyhrg.gap.effects.candidate_terms import compute_coordinates
 from pyhrg.gap.effects.catalogue import Effect
+from pyhrg.gap.effects.coordinates import compute_coordinates
 from pyhrg.gap.effects.linear_test import LinearTest
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation

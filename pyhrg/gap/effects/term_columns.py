@@ -9,14 +9,8 @@ from collections.abc import Callable, Iterator, Mapping
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.gap.effects.candidate_terms import (
-    EACH_POWER_ON,
-    PATTERN_HARMONICS,
-    CandidateTerm,
-    Coordinates,
-    Functions,
-    make_harmonic,
-)
+from pyhrg.gap.effects.candidate_terms import EACH_POWER_ON, CandidateTerm
+from pyhrg.gap.effects.coordinates import PATTERN_HARMONICS, Coordinates, Functions, make_harmonic
 
 Columns = list[tuple[CandidateTerm, Array]]
 """Terms with their (n, b) columns in one channel."""

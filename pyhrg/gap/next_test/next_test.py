@@ -19,8 +19,8 @@ from pyhrg.bench.bench import Bench
 from pyhrg.bench.programme import Programme
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import HOUR
-from pyhrg.gap.effects.candidate_terms import compute_coordinates
 from pyhrg.gap.effects.catalogue import Effect
+from pyhrg.gap.effects.coordinates import compute_coordinates
 from pyhrg.gap.effects.design import (
     Design,
     Sizes,

@@ -10,13 +10,14 @@ import numpy as np
 
 from pyhrg.bench.bench import LOOP_OUTPUTS, OUTPUTS_AT_END, compute_earth_rate, record_rows_together
 from pyhrg.bench.programme import HELD_INPUTS, compute_step_middles, interpolate_rows
+from pyhrg.bench.readings.first_order_lag import follow_with_lag
 from pyhrg.common.arrays import Array
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import WIDE, GyroFmu
 from pyhrg.gap.replay.instruments import estimate_toggling_step
-from pyhrg.gap.replay.soak import find_lag, is_soaked
+from pyhrg.gap.replay.soak import is_soaked
 from pyhrg.gap.replay.table_motion import TableMotion, estimate_table_motion
 from pyhrg.records import COLUMNS, Log
 
@@ -221,7 +222,7 @@ def correct_temperatures(device: Device, inputs: ReplayInputs) -> Array:
     lag, interval = device.thermometer_lag, inputs.log.interval
     readings = inputs.temperatures
     if lag < -SLOPE_TIME:
-        readings = readings - find_lag(readings, interval, -lag)
+        readings = follow_with_lag(readings, interval, -lag)
     else:
         readings = readings + lag * _find_slopes(readings, interval)
     reference = device.reference_temperature

@@ -1,10 +1,8 @@
 """Whether a resonator had settled to the case's temperature before its log begins."""
 
-import math
-
 import numpy as np
-from scipy.signal import lfilter
 
+from pyhrg.bench.readings.first_order_lag import follow_with_lag
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.records import Log
@@ -18,14 +16,6 @@ MAX_POWER_RATIO = 0.25
 starts at the reference temperature, at which the log begins so. Chosen."""
 
 
-def find_lag(readings: Array, interval: float, lag: float) -> Array:
-    """(n,) departure of readings that are linear between rows from what follows them with a
-    first-order lag, s, and has settled at the first."""
-    kept = math.exp(-interval / lag)
-    slopes = np.diff(readings, prepend=readings[0]) / interval
-    return np.asarray(lfilter([lag * (1 - kept)], [1.0, -kept], slopes))
-
-
 def is_soaked(
     log: Log, temperatures: Array, nominal: Device, least_departure: float = MIN_DEPARTURE
 ) -> bool:
@@ -37,7 +27,7 @@ def is_soaked(
     rows = np.isfinite(log.frequency_offset) & (log.drive_on > 0)
     if abs(departure) < least_departure or not rows.any():
         return False
-    settled = temperatures[1:] - find_lag(temperatures, log.interval, nominal.thermal_lag)[1:]
+    settled = follow_with_lag(temperatures, log.interval, nominal.thermal_lag)[1:]
     cold = settled - departure * np.exp(-log.time / nominal.thermal_lag)
     slope = nominal.frequency * nominal.frequency_per_kelvin
     powers = [

@@ -7,13 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import optimize, signal
+from scipy import optimize
 
 from pyhrg.bench.bias.thermal_programme import SETTLE
 from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
 from pyhrg.bench.estimation.terms import PatternBasis, choose_pattern_basis, select_separable
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import require_tests
+from pyhrg.bench.readings.first_order_lag import follow_with_lag
 from pyhrg.bench.readings.segments import WARM_UP, Points, join_points, read_points
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import MINUTE, ZERO_CELSIUS
@@ -69,13 +70,7 @@ def estimate_temperature(log: Log, nominal_lag: float | None = None) -> Thermome
 
 def compute_lagged(log: Log, lag: float) -> Array:
     """(n,) temperature, K, that follows the case's, linear within a row, with a lag, s."""
-    case = fill_gaps(log.temperature)
-    step = log.interval
-    decay = np.exp(-step / lag)
-    old, new = (1 - decay) * lag / step - decay, 1 - (1 - decay) * lag / step
-    before = np.concatenate((case[:1], case[:-1]))
-    driven = old * before + new * case
-    return np.asarray(signal.lfilter([1.0], [1.0, -decay], driven, zi=[decay * case[0]])[0])
+    return follow_with_lag(fill_gaps(log.temperature), log.interval, lag)
 
 
 def _fit_frequency(log: Log, lag: float) -> tuple[float, float]:

@@ -10,7 +10,7 @@ from typing import Any
 from pyhrg.device.device import Device
 from pyhrg.gap.closing.equation.places import Acting, find_acting
 from pyhrg.gap.closing.equation.proposal import as_candidate, list_written
-from pyhrg.gap.effects.candidate_terms import HYSTERESIS_WIDTHS, THERMAL_LAGS
+from pyhrg.gap.effects.coordinates import HYSTERESIS_WIDTHS, THERMAL_LAGS
 from pyhrg.gap.findings.term import Term
 
 CLASS = "closed"

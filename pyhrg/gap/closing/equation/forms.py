@@ -11,7 +11,8 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from pyhrg.common.units import DEG
-from pyhrg.gap.effects.candidate_terms import HYSTERESIS_WIDTHS, THERMAL_LAGS, CandidateTerm
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
+from pyhrg.gap.effects.coordinates import HYSTERESIS_WIDTHS, THERMAL_LAGS
 
 FIRST_POWERS = {"temperature": "temperature^1", "time": "time since power-on"}
 """Functions by their names as the second of a product, where these differ."""

@@ -17,7 +17,7 @@ from pyhrg.common.units import (
     ZERO_CELSIUS,
 )
 from pyhrg.device.device import Device
-from pyhrg.gap.effects.candidate_terms import compute_coordinates
+from pyhrg.gap.effects.coordinates import compute_coordinates
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
 from pyhrg.gap.whitening.whitening import draw_noise

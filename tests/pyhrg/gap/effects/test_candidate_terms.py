@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyhrg.gap.effects.candidate_terms import compute_coordinates
 from pyhrg.gap.effects.catalogue import EFFECTS
+from pyhrg.gap.effects.coordinates import compute_coordinates
 from pyhrg.gap.effects.sensitivities import compute_sensitivities
 from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.replay.observations import observe_test

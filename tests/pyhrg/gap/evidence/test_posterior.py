@@ -10,8 +10,8 @@ import pytest
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
 from pyhrg.device.device import Device
-from pyhrg.gap.effects.candidate_terms import compute_coordinates
 from pyhrg.gap.effects.catalogue import EFFECTS, NOISES, Effect, NoiseEffect
+from pyhrg.gap.effects.coordinates import compute_coordinates
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.linear_test import LinearTest
 from pyhrg.gap.evidence.evidence import Fit

@@ -5,15 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from pyhrg.bench.readings.first_order_lag import follow_with_lag
 from pyhrg.common.units import DEG
 from pyhrg.gap.closing.equation.forms import express_term
 from pyhrg.gap.closing.equation.places import GROWTH, find_acting
 from pyhrg.gap.closing.equation.proposal import list_coefficients
-from pyhrg.gap.effects.candidate_terms import (
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
+from pyhrg.gap.effects.coordinates import (
     HYSTERESIS_WIDTHS,
-    CandidateTerm,
     Coordinates,
-    _follow_with_lag,
     _follow_with_play,
     compute_coordinates,
 )
@@ -37,10 +37,7 @@ def _evaluate(modelica: str, where: Coordinates) -> np.ndarray:
         "hours": log.time / 3600,
         **{f"force{a}": getattr(log, f"acceleration_{a.lower()}") for a in "XYZ"},
         **{f"play{w}": _follow_with_play(where.case, w) for w in HYSTERESIS_WIDTHS},
-        **{
-            f"lagging{lag}": _follow_with_lag(where.case, lag / log.interval, where.case[0])
-            for lag in (600, 3600)
-        },
+        **{f"lagging{lag}": follow_with_lag(where.case, log.interval, lag) for lag in (600, 3600)},
         **{name: getattr(np, name) for name in ("cos", "sin", "exp", "sqrt", "abs")},
     }
     return np.asarray(eval(modelica.replace("^", "**"), {"__builtins__": {}}, variables))

@@ -5,7 +5,7 @@ import pytest
 
 from pyhrg.gap.closing.equation.forms import express_term
 from pyhrg.gap.closing.equation.series import expand_form
-from pyhrg.gap.effects.candidate_terms import make_harmonic
+from pyhrg.gap.effects.coordinates import make_harmonic
 from pyhrg.gap.effects.form import Form
 
 WARMTH = np.linspace(-20.0, 30.0, 11)

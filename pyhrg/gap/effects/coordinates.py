@@ -1,0 +1,228 @@
+"""Coordinates of a test, row by row, and the basis functions of each that candidate terms have."""
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from pyhrg.bench.readings.first_order_lag import follow_with_lag
+from pyhrg.common.arrays import Array
+from pyhrg.common.caches.compiled import compile_loop
+from pyhrg.device.device import Device
+from pyhrg.gap.effects.candidate_terms import EACH_POWER_ON
+from pyhrg.gap.replay.observations import ObservedTest
+from pyhrg.gap.soundness.fault import TABLE_RIPPLES
+
+PATTERN_HARMONICS = range(1, 19)
+"""Harmonics of the pattern angle. Chosen: a cause that is no sine has multiples of its harmonic;
+what is missing here of a large one is read as other terms."""
+TABLE_HARMONICS = (1, *TABLE_RIPPLES)
+"""Harmonics of the table angle. Chosen."""
+RATE_HARMONICS = (1, 2, 4)
+"""Harmonics of the pattern angle that also appear in proportion to the rate, as loops follow the
+turning pattern. Chosen."""
+TEMPERATURE_POWERS = (1, 2, 3)
+"""Powers of the temperature. Chosen."""
+HYSTERESIS_WIDTHS = (2, 5, 10, 20)
+"""Widths of the temperature hysteresis, from end to end, K. Chosen."""
+THERMAL_LAGS = (600, 3600)
+"""Time constants with which a part of the gyro follows the case's temperature, s. Chosen."""
+ZERO_TEMPERATURE_RATE = 0.05 / 60
+"""Temperature rate at which its direction passes smoothly through zero, K/s. Chosen."""
+WARM_UP_TIMES = (60.0, 150.0, 400.0, 1000.0, 2500.0, 6000.0)
+"""Time constants of transients after power-on, s. Chosen: about a factor of 2.5 apart."""
+SMOOTHING_TIME = 300.0
+"""Time over which the slope of a noisy temperature log is taken, s. Chosen."""
+ANISOTROPY_FACTORS = (
+    ("temperature", "the temperature"),
+    *(("acceleration", f"acceleration {axis}") for axis in "xyz"),
+    ("amplitude", "the amplitude"),
+    ("time", "the time"),
+)
+"""Coordinates that an anisotropy of damping or stiffness may follow, with the function of each."""
+Functions = Iterator[tuple[str, str, int | None, Array]]
+"""Coordinate, words, harmonic and (n,) or (n, b) values."""
+
+
+@dataclass(frozen=True)
+class Coordinates:
+    """Coordinates of a test, row by row; (n,) each.
+
+    pattern_angle: of the replay, rad.
+    table_angle: rad.
+    table_rate: mean over the row, rad/s.
+    case, resonator: temperatures above the reference, K.
+    case_rate: smoothed slope of the case's temperature, K/s.
+    level: amplitude of the replay over the nominal one.
+    amplitude: relative departure from the nominal amplitude; the commanded one, or while the drive
+        is off that of the replay's energy: quadrature grows then.
+    growth_rate: that the drive gives, of the replay, 1/s; 0 while the drive is off.
+    quadrature_force: of the replay.
+    """
+
+    test: ObservedTest
+    pattern_angle: Array
+    table_angle: Array
+    table_rate: Array
+    case: Array
+    resonator: Array
+    case_rate: Array
+    level: Array
+    amplitude: Array
+    growth_rate: Array
+    quadrature_force: Array
+
+    @cached_property
+    def functions(self) -> list[tuple[str, str, int | None, Array]]:
+        """Coordinate, words, harmonic and (n, b) values of each basis function."""
+        return [(c, w, m, v.reshape(len(v), -1)) for c, w, m, v in _generate_functions(self)]
+
+    @cached_property
+    def factors(self) -> dict[str, Array]:
+        """(n, 1) second functions of products, by their words."""
+        log = self.test.log
+        forces = {
+            f"acceleration {axis}": getattr(log, f"acceleration_{axis}") / 10 for axis in "xyz"
+        }
+        factors = {
+            "the rate": self.table_rate,
+            "the temperature": self.resonator / 10,
+            "the amplitude": self.amplitude,
+            "the time": log.time / 3600,
+            **forces,
+            **{f"{words} squared": force**2 for words, force in forces.items()},
+        }
+        return {words: values[:, None] for words, values in factors.items()}
+
+    def multiply(self, words: str, block: Array, second: str) -> tuple[str, None, Array]:
+        """Words, no harmonic, and (n, b) values of a product with one of these."""
+        return f"{words}, times {second}", None, block * self.factors[second]
+
+
+def compute_coordinates(
+    test: ObservedTest, replay: Mapping[str, Array], nominal: Device
+) -> Coordinates:
+    """Coordinates of a test, from its replay, (n,) by field of a log, SI, and from the nominal
+    thermal lag, reference temperature and amplitude."""
+    log = test.log
+    is_driven = log.drive_on > 0
+    energetic = np.hypot(replay["amplitude"], replay.get("quadrature", 0.0))
+    case = test.inputs.temperatures - nominal.reference_temperature
+    start = float(case[0]) if test.inputs.is_soaked else 0.0
+    resonator = follow_with_lag(case, log.interval, nominal.thermal_lag, start)
+    return Coordinates(
+        test,
+        replay["wave_angle"],
+        log.table_angle,
+        test.inputs.table.means,
+        case[1:],
+        resonator[1:],
+        _compute_slope(case, log.interval)[1:],
+        replay["amplitude"] / nominal.amplitude,
+        np.where(is_driven, log.amplitude_setpoint, energetic) / nominal.amplitude - 1,
+        np.where(is_driven, replay["amplitude_force"], 0.0),
+        replay["quadrature_force"],
+    )
+
+
+def _compute_slope(series: Array, interval: float) -> Array:
+    half = max(1, round(SMOOTHING_TIME / interval / 2))
+    n = len(series)
+    low, high = np.maximum(np.arange(n) - half, 0), np.minimum(np.arange(n) + half, n - 1)
+    return np.asarray((series[high] - series[low]) / ((high - low) * interval))
+
+
+def _generate_functions(where: Coordinates) -> Functions:
+    """Basis functions in the order of the design's columns."""
+    yield from _generate_angle_functions(where)
+    yield from _generate_temperature_functions(where)
+    yield from _generate_rate_functions(where)
+    yield from _generate_acceleration_functions(where)
+    yield "amplitude", "amplitude", None, where.amplitude
+    yield "amplitude", "amplitude squared", None, where.amplitude * (2 + where.amplitude)
+    yield from _generate_anisotropies(where)
+    time = where.test.log.time
+    yield "time", "time since power-on", None, time / 3600
+    for constant in WARM_UP_TIMES:
+        yield "time", f"settling in {constant:g} s", None, np.exp(-time / constant)
+    if (period := where.test.line_period) is not None:
+        cycle = make_harmonic(2 * math.pi * time / period)
+        yield "time", f"harmonic 1 of a period of {period:g} s", 1, cycle
+    yield "time", EACH_POWER_ON, None, np.ones(len(time))
+
+
+def _generate_angle_functions(where: Coordinates) -> Functions:
+    yield "wave_angle", "mean over the pattern angle", 0, np.ones(len(where.pattern_angle))
+    for m in PATTERN_HARMONICS:
+        words = f"harmonic {m} of the pattern angle"
+        yield "wave_angle", words, m, make_harmonic(m * where.pattern_angle)
+    for m in TABLE_HARMONICS:
+        words = f"harmonic {m} of the table angle"
+        yield "table_angle", words, m, make_harmonic(m * where.table_angle)
+
+
+def _generate_anisotropies(where: Coordinates) -> Functions:
+    """What an anisotropy of damping or stiffness gives that follows another coordinate."""
+    words, fourth = "harmonic 4 of the pattern angle", make_harmonic(4 * where.pattern_angle)
+    for coordinate, second in ANISOTROPY_FACTORS:
+        yield coordinate, *where.multiply(words, fourth, second)
+
+
+def _generate_temperature_functions(where: Coordinates) -> Functions:
+    for p in TEMPERATURE_POWERS:
+        yield "temperature", f"temperature^{p}", None, (where.resonator / 10) ** p
+    yield "temperature", "temperature of the case", None, where.case / 10
+    rate, words = where.case_rate, "of the temperature rate"
+    yield "temperature_rate", "temperature rate", None, rate * 60
+    yield "temperature_rate", f"magnitude {words}", None, np.abs(rate) * 60
+    yield "temperature_rate", f"square {words}", None, (rate * 60) ** 2
+    direction = rate / np.hypot(rate, ZERO_TEMPERATURE_RATE)  # smooth about zero, -1 to 1
+    yield "temperature_rate", f"direction {words}", None, direction
+    for width in HYSTERESIS_WIDTHS:
+        lagging = _follow_with_play(where.case, width) / 10
+        yield "temperature", f"temperature with a hysteresis of {width:g} K", None, lagging
+    for lag in THERMAL_LAGS:
+        lagging = follow_with_lag(where.case, where.test.log.interval, lag) / 10
+        yield "temperature", f"temperature behind a lag of {lag:g} s", None, lagging
+
+
+def _generate_rate_functions(where: Coordinates) -> Functions:
+    rate = where.table_rate
+    for m in RATE_HARMONICS:
+        harmonic = make_harmonic(m * where.pattern_angle)
+        words = f"harmonic {m} of the pattern angle"
+        yield "wave_angle", *where.multiply(words, harmonic, "the rate")
+    for p, words in ((1, "rate"), (2, "rate squared"), (3, "rate cubed")):
+        yield "rate", words, None, rate**p
+    yield "rate", "magnitude of the rate", None, np.abs(rate)
+    commanded = where.test.log.virtual_rotation
+    yield "rate", "commanded rotation", None, commanded
+    yield "rate", "magnitude of the commanded rotation", None, np.abs(commanded)
+
+
+def _generate_acceleration_functions(where: Coordinates) -> Functions:
+    force = {axis: where.factors[f"acceleration {axis}"] for axis in "xyz"}
+    for axis in "xyz":
+        yield "acceleration", f"acceleration {axis}", None, force[axis]
+        yield "acceleration", f"acceleration {axis} squared", None, force[axis] ** 2
+    for pair in ("xy", "xz", "yz"):
+        product = force[pair[0]] * force[pair[1]]
+        yield "acceleration", f"acceleration {pair[0]} times {pair[1]}", None, product
+
+
+@compile_loop
+def _follow_with_play(series: Array, width: float) -> Array:
+    """(n,) output of a play (backlash) operator of this width: hysteresis."""
+    lagging = np.empty_like(series)
+    last = series[0]
+    for i, value in enumerate(series):
+        last = min(max(last, value - width / 2), value + width / 2)
+        lagging[i] = last
+    return lagging
+
+
+def make_harmonic(angle: Array) -> Array:
+    """(n, 2) cosine and sine."""
+    return np.column_stack([np.cos(angle), np.sin(angle)])

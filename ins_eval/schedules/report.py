@@ -87,15 +87,22 @@ def _draw_growth(axes: Axes, result: Comparison, shown: list[int]) -> None:
 
 
 def _draw_agreement(axes: Axes, result: Comparison, shown: list[int]) -> None:
+    markers = dict(zip(CHOICES, ("o", "x", "+"), strict=True))
     for color, number in zip(COLORS, shown, strict=True):
-        axes.plot(result.predicted[number], result.rms[number], ".", color=color)
-    bounds = [min(result.predicted.min(), result.rms[shown].min()), result.predicted.max()]
+        family = NAMES[number].removesuffix("_chosen")
+        for choice, marker in markers.items() if family != NAMES[number] else [("", "o")]:
+            at = NAMES.index(f"{family}_{choice}" if choice else family)
+            axes.plot(result.predicted[at], result.rms[at], marker, color=color, markersize=4)
+    for choice, marker in markers.items():
+        axes.plot([], [], marker, color="0.4", markersize=4, label=CHOICES[choice])
+    bounds = [min(x.min() for x in (result.predicted, result.rms)), result.predicted.max()]
     axes.plot(bounds, bounds, color="0.6", linewidth=1)
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_xlabel("predicted rms error within the mission, m (linear model)")
     axes.set_ylabel("flown, m (a point is a triad)")
     axes.grid(which="both", alpha=0.25)
+    axes.legend(loc="upper left", title="schedule", framealpha=0.95)
 
 
 def write(result: Comparison, folder: Path) -> None:

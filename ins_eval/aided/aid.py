@@ -48,7 +48,7 @@ def aid(
     bench_drift: tuple[float, float] | None = None,
     out: Path | str | None = None,
 ) -> AidedDrive:
-    """Errors of an IMU's sensors, and the way of its vehicle, from a drive with fixes.
+    """Estimate the errors of an IMU's sensors, and its vehicle's path, from a drive with fixes.
 
     The vehicle is aligned in motion, filtered forward and smoothed backward
     (docs/methods/aided.md).

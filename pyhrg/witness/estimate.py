@@ -147,8 +147,8 @@ class MapEstimate:
 def estimate_map(log: Log, device: Device, prior: Prior) -> MapEstimate:
     """Estimate the bias map of a gyro at the end of a log from the gyro's own channels.
 
-    The FMU is run with the log's motion; the forces' differences are explained by changes of the
-    mechanisms.
+    The FMU is run with the log's motion. Changes of the mechanisms are fitted to the differences of
+    recorded and simulated forces.
 
     Args:
         log: with the columns of `replay.REQUIRED`; rows of 0.01 to 1 s.

@@ -62,7 +62,10 @@ static inline real cosine_kernel(real x) {
               4.16666666666665929218e-2);
 }
 
+/* Where the series' first term is the result to the last bit, it is returned at once: a mechanism that
+   is off costs no series. */
 static inline real m_sin(real x) {
+  if (ALL(m_abs(x) < 1e-8)) return x + 0.0;
   if (ALL(m_abs(x) <= 0.78)) return sine_kernel(x);
   real rest, quarter = quarter_turns(x, &rest);
   truth odd = quarter == 1.0 || quarter == 3.0;
@@ -71,6 +74,7 @@ static inline real m_sin(real x) {
 }
 
 static inline real m_cos(real x) {
+  if (ALL(m_abs(x) < 1e-8)) return 1.0;
   if (ALL(m_abs(x) <= 0.78)) return cosine_kernel(x);
   real rest, quarter = quarter_turns(x, &rest);
   truth odd = quarter == 1.0 || quarter == 3.0;
@@ -140,6 +144,7 @@ static inline real m_log(real x) {
 
 /* Right for |x| < 700; 0 or infinite beyond, for |x| < 2^50. */
 static inline real m_exp(real x) {
+  if (ALL(m_abs(x) < 1e-17)) return 1.0;
   real n = m_floor(x * 1.4426950408889634073599 + 0.5);
   x = (x - n * 6.93145751953125e-1) - n * 1.42860682030941723212e-6;
   real z = x * x;

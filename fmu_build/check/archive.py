@@ -86,8 +86,9 @@ class Fmu:
             if self.major == 3:
                 start = element.find("Start")
                 inner = {} if start is None else {"start": start.get("value", "")}
-                if element.find("Dimension") is not None:
-                    inner["dimensions"] = "true"
+                sizes = [self._read_size(size) for size in element.findall("Dimension")]
+                if sizes:
+                    inner["dimensions"] = " ".join(sizes)
                 yield Variable(element.tag, {**element.attrib, **inner})
                 yield from (
                     Variable(element.tag, {**element.attrib, **alias.attrib, "alias": "true"})
@@ -96,6 +97,14 @@ class Fmu:
             else:
                 (inside,) = [e for e in element if e.tag in BASE_TYPES] or [ET.Element("none")]
                 yield Variable(inside.tag, {**inside.attrib, **element.attrib})
+
+    def _read_size(self, dimension: ET.Element) -> str:
+        """A dimension's size at the start, which may be that of a structural parameter; 0 where it
+        is neither."""
+        reference = dimension.get("valueReference")
+        variables = self.description.findall("ModelVariables/*")
+        named = (e for e in variables if e.get("valueReference") == reference)
+        return (dimension if reference is None else next(named, dimension)).get("start", "0")
 
     @cached_property
     def types(self) -> dict[str, dict[str, str]]:

@@ -7,7 +7,7 @@ import fmu_build
 from pyhrg.common.files import check_output_folder
 from pyhrg.common.progress import Progress
 
-HELP = "translate the Modelica gyro and build HRG.fmu"
+HELP = "compile the Modelica gyro into an FMU"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:

@@ -19,6 +19,7 @@ def generate_source(dae: Dae, integrator: str = "runge_kutta_4") -> str:
     plan = sort_equations(dae)
     dae = plan.dae
     derivatives = _derivatives(dae, plan)
+    motion = _stores(dae, plan.motion)
     stores = _stores(dae, plan.outputs)
     outputs = ["model_held(v);", *_states(dae, stores), *stores]
     parts = [
@@ -29,7 +30,8 @@ def generate_source(dae: Dae, integrator: str = "runge_kutta_4") -> str:
         *_functions(dae, "\n".join(derivatives)),
         *_procedure("void model_parameters(real *v)", _stores(dae, plan.parameters)),
         *_procedure("void model_defaults(real *v)", _defaults(dae)),
-        *_procedure("void model_start(real *v)", _stores(dae, plan.starts)),
+        *_procedure("static inline void move(real *v)", [*_states(dae, motion), *motion]),
+        *_procedure("void model_start(real *v)", [*_stores(dae, plan.starts), "move(v);"]),
         *_procedure("void model_held(real *v)", _stores(dae, plan.held)),
         *derivatives,
         *_step(dae, integrator),
@@ -153,12 +155,29 @@ def _states(dae: Dae, lines: Iterable[str]) -> list[str]:
 
 
 def _derivatives(dae: Dae, plan: Schedule) -> list[str]:
+    """Derivatives from states, and from the states that `v` holds: there the motion is known."""
+    declaration = "INLINE void {}(const real *v, const real *x, real *dx)"
+    names, there = ("derivatives", "first_derivatives"), {a.target for a in plan.motion}
+    rest = [a for a in plan.derivatives if a.target not in there]
+    first = (
+        _procedure(declaration.format(names[1]), _derive(dae, rest))
+        if len(rest) < len(plan.derivatives)
+        else ["#define {1} {0}".format(*names)]
+    )
+    return [
+        f"#define STATES {len(_scalars(dae, 'state'))}",
+        *_procedure(declaration.format(names[0]), _derive(dae, plan.derivatives)),
+        *first,
+    ]
+
+
+def _derive(dae: Dae, assignments: Iterable[Assignment]) -> list[str]:
     """Derivatives from states passed by value: everything stays in registers."""
     states = _scalars(dae, "state")
-    between = [a.target[1] for a in plan.derivatives if a.target[0] == "variable"]
+    between = [a.target[1] for a in assignments if a.target[0] == "variable"]
     emitter = Emitter(dae, registers=between)
     lines = [f"const real x{i} = x[{n}];" for n, i in enumerate(states)]
-    for assignment in plan.derivatives:
+    for assignment in assignments:
         kind, index = assignment.target
         for element in range(dae.variables[index].count):
             text = emitter.scalar(assignment.expression, element)
@@ -169,11 +188,7 @@ def _derivatives(dae: Dae, plan: Schedule) -> list[str]:
             else:
                 position = states.index(dae.variables[index].offset + element)
                 lines.append(f"dx[{position}] = {text};")
-    signature = "INLINE void derivatives(const real *v, const real *x, real *dx)"
-    return [
-        f"#define STATES {len(states)}",
-        *_procedure(signature, lines),
-    ]
+    return lines
 
 
 def _step(dae: Dae, integrator: str) -> list[str]:
@@ -181,7 +196,7 @@ def _step(dae: Dae, integrator: str) -> list[str]:
     states = _scalars(dae, "state")
     load = [f"x[{n}] = v[{i}];" for n, i in enumerate(states)]
     store = [f"v[{i}] = x[{n}];" for n, i in enumerate(states)]
-    lines = ["real x[STATES];", *load, f"{integrator}(v, x, h);", *store]
+    lines = ["real x[STATES];", *load, f"{integrator}(v, x, h);", *store, "move(v);"]
     step = _procedure("void model_step(real *v, double h)", lines)
     return [f'#include "{integrator}.h"', *step]
 

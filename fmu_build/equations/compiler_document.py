@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from fmu_build.equations.dae import Dae, Domain, Function, Json, Local, Node, Sample, Variable
+from fmu_build.equations.ticks import Ticks
 
 
 def read_document(model: str, storage: Json, source_map: Json) -> Dae:
@@ -19,11 +20,10 @@ def read_document(model: str, storage: Json, source_map: Json) -> Dae:
             continuous.append(equation["bodies"][0])
         else:
             raise ValueError(f"an equation of kind {kind} is not supported")
-    period, multiples = _periods(storage["clocks"])
-    sampled = []
-    for equation in storage["discrete_real_equations"]:
-        guard = storage["conditions"][equation["activation"]["when"]["guard"]]
-        sampled.append(Sample(equation["residual"], multiples[int(guard["node"]["clock"])]))
+    guards = [e["activation"]["when"]["guard"] for e in storage["discrete_real_equations"]]
+    period, multiples = _read_periods(Ticks(storage, nodes), guards)
+    equations = (e["residual"] for e in storage["discrete_real_equations"])
+    sampled = tuple(map(Sample, equations, multiples))
     return Dae(
         model=model,
         variables=tuple(_variables(storage, source_map)),
@@ -31,7 +31,7 @@ def read_document(model: str, storage: Json, source_map: Json) -> Dae:
         functions=tuple(_function(f, storage["value_types"]) for f in storage["functions"]),
         domains=tuple(_domain(d) for d in storage["domains"]),
         continuous=tuple(continuous),
-        sampled=tuple(sampled),
+        sampled=sampled,
         sample_period=period,
     )
 
@@ -40,7 +40,6 @@ _UNSUPPORTED = (
     "initialization_equation_operations",
     "initial_discrete_values",
     "initial_parameter_values",
-    "discrete_value_owners",
     "model_event_transactions",
     "relations",
     "roots",
@@ -59,19 +58,11 @@ def _refuse_unknown(storage: Json) -> None:
             raise ValueError(f"the model has {key.replace('_', ' ')}; they are not supported")
     if not storage["clocks"]:
         raise ValueError("the model has no sample clock")
-    for condition in storage["conditions"]:
-        if "clock" not in condition["node"]:
-            raise ValueError(f"a condition is not a sample clock: {condition['node']}")
 
 
-def _periods(clocks: list[Json]) -> tuple[Fraction, list[int]]:
-    """The shortest period, and each clock's period as a multiple of it."""
-    periods = []
-    for clock in clocks:
-        lattice = clock["kind"]["periodic"]["lattice"]
-        if lattice["phase"]["num"] != 0:
-            raise ValueError("the sample clock does not start at time 0")
-        periods.append(Fraction(lattice["period"]["num"], lattice["period"]["den"]))
+def _read_periods(ticks: Ticks, guards: list[int]) -> tuple[Fraction, list[int]]:
+    """The shortest period, and that of each sampled equation, by its guard, as a multiple of it."""
+    periods = [ticks.find_period(guard) for guard in guards]
     base = min(periods)
     for period in periods:
         if (period / base).denominator != 1:
@@ -123,7 +114,10 @@ _COORDINATES = {
 
 
 def _size(type_index: int, value_types: list[Json]) -> int | None:
+    """A tick is not stored: no scalars."""
     dimensions = value_types[type_index]["dimensions"]
+    if value_types[type_index]["scalar"] == "boolean":
+        return 0
     if len(dimensions) > 1:
         raise ValueError(f"an array of {len(dimensions)} dimensions is not supported")
     return dimensions[0] if dimensions else None

@@ -31,7 +31,7 @@ class Dependencies:
 def trace_dependencies(dae: Dae, variables: Iterable[int]) -> dict[int, Dependencies]:
     """Dependencies of variables, by their index in the model."""
     plan = sort_equations(dae)
-    continuous = _by_target((*plan.held, *plan.derivatives, *plan.outputs))
+    continuous = _by_target((*plan.held, *plan.motion, *plan.derivatives, *plan.outputs))
     ticked = _by_target(plan.tick)
     before = {("pre", t[1]): a for t, a in _by_target(plan.starts).items() if t in ticked}
     at_start = _by_target((*plan.parameters, *plan.starts)) | continuous | ticked | before

@@ -34,7 +34,9 @@ class Schedule:
             that are another name of a sampled variable.
         held: variables that derivatives or samples need and that depend on no state; they change
             only at a sample or when an input is set.
-        derivatives: what else the derivatives need, and the derivatives.
+        motion: variables that derivatives or samples need and that depend on states alone; they
+            change only with a step.
+        derivatives: what else than the held variables the derivatives need, and the derivatives.
         outputs: all other continuous variables, aliases among them.
         tick: sampled variables, and the continuous variables that they need; held variables, at the
             period of the most frequent sample that changes them; outputs that are another name of a
@@ -45,6 +47,7 @@ class Schedule:
     parameters: tuple[Assignment, ...]
     starts: tuple[Assignment, ...]
     held: tuple[Assignment, ...]
+    motion: tuple[Assignment, ...]
     derivatives: tuple[Assignment, ...]
     outputs: tuple[Assignment, ...]
     tick: tuple[Assignment, ...]
@@ -65,16 +68,20 @@ def sort_equations(dae: Dae) -> Schedule:
     sampling = _sampling(dae, continuous | sampled, sampled)
     used = {*needed, *sampling}
     held = {t: continuous[t] for t in continuous if t in state_free and t in used}
+    motion = _motion(dae, {t: continuous[t] for t in continuous if t in used and t not in held})
     readings = _readings(dae, continuous, sampled)
-    tick = {t: a for t, a in sampling.items() if t not in held} | readings
-    tick |= _changing(dae, held, sampled)
-    done = held | readings
+    own = {t: a for t, a in sampling.items() if t not in held and t not in motion}
+    # what the next step begins with comes first: it need not wait for the rest of the sample
+    changing = _changing(dae, held, sampled)
+    tick = {t: a for t, a in changing.items() if t in needed} | own | changing | readings
+    done = held | motion | readings
     rest = {t: a for t, a in continuous.items() if t not in done and t[0] == "variable"}
     return Schedule(
         dae=dae,
         parameters=_order(dae, _parameters(dae)),
         starts=(*_starts(dae), *readings.values()),
         held=_order(dae, held),
+        motion=_order(dae, motion),
         derivatives=_order(dae, {t: continuous[t] for t in needed if t not in state_free}),
         outputs=_order(dae, rest),
         tick=_order(dae, tick),
@@ -199,6 +206,17 @@ def _assign(dae: Dae, equations: Iterable[int]) -> dict[Target, Assignment]:
     return {
         target: Assignment(target, candidates[equation][target])
         for target, equation in owner.items()
+    }
+
+
+def _motion(dae: Dae, candidates: dict[Target, Assignment]) -> dict[Target, Assignment]:
+    """Variables that depend on states and on nothing else that can change."""
+    states = {("variable", i) for i, v in enumerate(dae.variables) if v.role == "state"}
+    return {
+        t: a
+        for t, a in candidates.items()
+        if t[0] == "variable"
+        and trace_references(dae, candidates, [t]) - candidates.keys() <= states
     }
 
 

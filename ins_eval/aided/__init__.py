@@ -1,2 +1,2 @@
-"""Navigation aided by fixes: errors of the sensors, maps of gyros among them, from a drive
+"""Navigation aided by fixes: sensor errors and bias maps of gyros, from a drive
 (docs/methods/aided.md)."""

@@ -45,11 +45,17 @@ ROUNDING = 1e-9
 class AidedDrive:
     """A drive with fixes.
 
-    name: of log and fixes; prior_name: of the IMU whose errors were the prior; duration: with fixes
-    that were used, s; unused: number of fixes outside the log; filtered, smoothed: of the
-    navigator; sensors: states; bias_map, prior_map: after and before the drive; visited: (m, 3)
-    pattern angles, rad, None for gyros without; bench_tests: of the bench's maps; bench_used: axes
-    of those that are part of the prior; hold_out: None if nothing was held out.
+    name: names of log and fixes.
+    prior_name: name of the IMU whose errors were the prior.
+    duration: time over which fixes were used, s.
+    unused: number of fixes outside the log.
+    filtered, smoothed: results of the filter and of the smoother.
+    sensors: states of the sensor errors.
+    bias_map, prior_map: bias maps after and before the drive.
+    visited: (m, 3) pattern angles, rad; None for gyros without them.
+    bench_tests: tests of the bench's maps against the drive.
+    bench_used: axes whose bench map is part of the prior.
+    hold_out: errors in the held-out hours; None if nothing was held out.
     """
 
     name: str

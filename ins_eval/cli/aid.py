@@ -7,7 +7,7 @@ import ins_eval
 from pyhrg.common.cli import collect_given
 from pyhrg.common.files import check_output_folder
 
-HELP = "find the errors of an IMU, maps of gyros among them, from a drive with position fixes"
+HELP = "estimate sensor errors and gyro bias maps from a drive with position fixes"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:

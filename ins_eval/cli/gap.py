@@ -21,17 +21,19 @@ HELP = "find the causes of the gap between a gyro's records and its simulation"
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     tasks = parser.add_subparsers(dest="task", metavar="TASK", required=True)
-    parser = tasks.add_parser("diagnose", help="find the causes of the gap")
+    parser = tasks.add_parser(
+        "diagnose", help="find the causes of the gap", description="Find the causes of the gap."
+    )
     add = parser.add_argument
-    add("source", type=Path, metavar="PATH", help="folder of a campaign, or a file: static record "
-        "of any IMU")  # fmt: skip
-    add("--belief", type=Path, metavar="FILE", help="TOML file of the noise that the sensors of a "
-        "static record should have")  # fmt: skip
+    add("source", type=Path, metavar="PATH", help="folder of a campaign, or static record of any "
+        "IMU")  # fmt: skip
+    add("--belief", type=Path, metavar="FILE", help="expected noise of the sensors of a static "
+        "record (TOML)")  # fmt: skip
     add("--trusted", action="store_true", help="take units and axes of a static record as stated, "
-        "though gravity or Earth's rate in it contradict them")  # fmt: skip
+        "even if gravity or Earth's rate contradicts them")  # fmt: skip
     add("--bound", type=float, nargs=3, metavar=("ARCSEC", "DEG_H", "SHARE"), help="sizes below "
-        "which what is left unexplained does not matter: rms of the output angle, mean rate, and "
-        "share of what the loops hold (default 0.1 1e-4 1e-3)")  # fmt: skip
+        "which an unexplained residual does not matter: rms of the output angle, mean rate, and "
+        "rms of another channel over its scale (default 0.1 1e-4 1e-3)")  # fmt: skip
     add("--out", type=Path, required=True, metavar="DIR", help="output folder")
     parser.set_defaults(run_task=_diagnose)
     parser = tasks.add_parser(

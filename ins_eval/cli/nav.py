@@ -15,7 +15,7 @@ PLACE = ("latitude_deg", "longitude_deg", "height_m")
 
 def add_place_options(parser: argparse.ArgumentParser) -> None:
     """Declare `--latitude-deg`, `--longitude-deg`, `--height-m`."""
-    group = parser.add_argument_group("where a log was recorded, if not where it says itself")
+    group = parser.add_argument_group("place where a log was recorded, unless the log states it")
     add = group.add_argument
     add("--latitude-deg", type=float, metavar="DEG", help="geodetic latitude")
     add("--longitude-deg", type=float, metavar="DEG", help="longitude (default 0)")
@@ -31,15 +31,15 @@ OF_BOTH = ("hours", "samples", "height", "align_s", "out", "force")
 def add_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("--trajectory", metavar="NAME|FILE", help="ready mission, mission TOML or recorded drive "
-        "(CSV, may be gzipped) (default car); for a log, its truth: none (default), rest, or a "
-        "recorded drive that begins with it")  # fmt: skip
+        "(CSV, may be gzipped; default car); for a log, its true motion: none (default), rest, or "
+        "a recorded drive that begins with the log")  # fmt: skip
     add("--imu", default="simple", metavar="NAME|FILE", help="ready IMU, IMU TOML, or recorded log "
         "(default simple)")  # fmt: skip
-    add("--fmu", type=Path, metavar="FILE", help="simulate the gyros by this FMU, with the "
-        "parameters of the IMU's device: of a class of your own that is or holds an HRG (hrg build "
-        "--class), or closed.fmu of a diagnosis")  # fmt: skip
-    add("--errors-of", metavar="NAME|FILE", help="ready IMU or IMU TOML: the errors that alignment "
-        "assumes of a log (default simple)")  # fmt: skip
+    add("--fmu", type=Path, metavar="FILE", help="FMU of your own gyro class (hrg build --class) "
+        "or closed.fmu of a diagnosis; it simulates the gyros with the parameters of the IMU's "
+        "device")  # fmt: skip
+    add("--errors-of", metavar="NAME|FILE", help="ready IMU or IMU TOML that states the errors of "
+        "a log's IMU, for its alignment (default simple)")  # fmt: skip
     add("--out", type=Path, default=Path("hrg-nav"), metavar="DIR", help="output folder "
         "(default hrg-nav)")  # fmt: skip
     add("--hours", type=float, metavar="H", help="duration, whole minutes (default 1; for a log, "
@@ -50,10 +50,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add("--height", choices=("clamped", "free", "baro"), help="clamped to the true "
         "height, free, or held by a loop with the true height (default clamped)")  # fmt: skip
     start = parser.add_mutually_exclusive_group()
-    start.add_argument("--align-s", type=float, metavar="S", help="time from power-on to time "
-                       "0, alignment included (default 300)")  # fmt: skip
+    start.add_argument("--align-s", type=float, metavar="S", help="time from power-on to the "
+                       "start, alignment included (default 300)")  # fmt: skip
     start.add_argument(
-        "--start-from-truth", action="store_true", help="true attitude instead of alignment"
+        "--start-from-truth", action="store_true", help="start with the true attitude, not aligned"
     )
     add("--seed", type=int, metavar="N", help="seed of all random numbers (default 1)")
     add(

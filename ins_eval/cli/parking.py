@@ -8,7 +8,7 @@ from pyhrg.common.cli import collect_given
 from pyhrg.common.files import check_output_folder
 from pyhrg.common.progress import Progress
 
-HELP = "fly triads whose level gyros' patterns start where their bias is known, and others"
+HELP = "fly triads with and without parking: starting level gyros where their bias is known"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:

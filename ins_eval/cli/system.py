@@ -9,7 +9,7 @@ from pyhrg.common.cli import collect_given
 from pyhrg.common.files import check_output_folder
 from pyhrg.common.progress import Progress
 
-HELP = "write an inertial navigation system of FMUs, wired on a mission, as an SSP"
+HELP = "write an inertial navigation system of FMUs as an SSP"
 GIVEN = ("hours", "rate_hz", "height", "seed", "ssp")
 
 

@@ -13,7 +13,7 @@ from pyhrg.common.files import check_output_folder
 if TYPE_CHECKING:
     from pyhrg.bench.procedure import Procedure
 
-HELP = "test a gyro as it is used: procedures on the FMU or on recorded logs"
+HELP = "run bench tests on a simulated gyro or on recorded logs"
 
 ALL = "all"
 
@@ -43,8 +43,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--fmu",
         type=Path,
         metavar="FILE",
-        help="simulate this FMU with the parameters of --device: of a class of your own that is or "
-        "holds an HRG (hrg build --class), or closed.fmu of a diagnosis",
+        help="FMU of your own gyro class (hrg build --class) or closed.fmu of a diagnosis, to be "
+        "simulated with the parameters of --device",
     )
     parser.add_argument(
         "--seed", type=int, default=1, metavar="N", help="seed of all random numbers (default 1)"

@@ -82,7 +82,7 @@ class CampaignDiagnosis:
 
     @property
     def causes(self) -> pd.DataFrame:
-        """One row a parameter of each cause.
+        """Causes as a table: one row for each parameter of each cause.
 
         Columns: effect, probability, parameter (its name ends with its unit), value, low_95,
         high_95, equivalents (tuple of effects that are confounded with it).
@@ -159,7 +159,7 @@ class CampaignDiagnosis:
             self.write_files(aside)
 
     def write_files(self, folder: Path) -> None:
-        """Write the same files one after the other into a folder that exists."""
+        """Write the files of `write` one after the other into a folder that exists."""
         for device, file in ((self.nominal, BEFORE_FILE), (self.identified, AFTER_FILE)):
             device_file.write(replace(device, name=self.diagnosis.device), folder / file)
         write_closed_files(self.identified, self.diagnosis, folder)
@@ -180,14 +180,14 @@ def diagnose(
         campaign: a campaign or its folder. Held-out tests are never fitted to.
         catalogue: effects that may be named.
         bound: residuals of up to these sizes are immaterial.
-        simulation: both fidelities of the gyro; by default they are built, or taken from the cache.
+        simulation: FMUs `HRG` and `HRGSlow`; by default they are built, or taken from the cache.
         progress: True prints each step to standard error; a function is called with it.
 
     Raises:
         CampaignError, LogError: no test of the folder can be used, or a log can't be.
-        GyroError: the nominal values are none that the FMU takes.
-        HrgError: the nominal values are no gyro's; the FMUs can't be built, or what builds them is
-            not installed; a bound is no size.
+        GyroError: the FMU refuses the nominal values.
+        HrgError: the nominal values are no gyro's; the FMUs can't be built, or the extra `build` is
+            not installed; a bound is negative or not finite.
     """
     report = Progress(progress).say
     require_extra("build")  # closed.fmu is built, and an FMU for each set of terms

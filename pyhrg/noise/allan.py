@@ -88,7 +88,8 @@ def allan_deviation(
             interval, or angles.
         interval_s: sampling interval, s.
         kind: whether the values are rates or angles.
-        per_octave: cluster times in a factor of two, where whole multiples of the interval allow.
+        per_octave: number of cluster times per factor of two; fewer where whole multiples of the
+            interval are fewer.
 
     Returns:
         Columns `cluster_time_s`, `deviation`, `low_95`, `high_95` and `degrees_of_freedom`.

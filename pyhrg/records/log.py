@@ -20,8 +20,8 @@ from pyhrg.records.table import Table, read_table
 class Log:
     """Columns of n rows, one row an interval; SI.
 
-    A missing value is NaN; a missing column has no other values. Forces, frequency, specific force
-    and commanded rotation are means over the interval; angles are those at its end.
+    A missing value is NaN; a missing column is all NaN. Forces, frequency, specific force and
+    commanded rotation are means over the interval; angles are those at its end.
     """
 
     source: str

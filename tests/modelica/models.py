@@ -101,10 +101,10 @@ class ModelFmu:
         """Names of its outputs."""
         return [v.name for v in self._variables.values() if v.causality == "output"]
 
-    def power_on(self, parameters: Mapping[str, float]) -> None:
-        """Initialize at time 0, after a reset."""
+    def power_on(self, parameters: Mapping[str, float], start: float = 0.0) -> None:
+        """Initialize at a time, after a reset."""
         self._slave.reset()
-        self._slave.setupExperiment(startTime=0.0)
+        self._slave.setupExperiment(startTime=start)
         self._slave.enterInitializationMode()
         for name, value in parameters.items():
             variable = self._variables[name]

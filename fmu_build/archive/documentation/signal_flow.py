@@ -19,7 +19,7 @@ def find_signal_flow(dae: Dae) -> Edges:
     """Signals between the model's top-level components, its inputs and its outputs."""
     plan = sort_equations(dae)
     edges: dict[tuple[str, str], set[str]] = {}
-    for assignment in {*plan.held, *plan.derivatives, *plan.outputs, *plan.tick}:
+    for assignment in {*plan.held, *plan.motion, *plan.derivatives, *plan.outputs, *plan.tick}:
         target = _place(plan.dae, plan.dae.variables[assignment.target[1]])
         for _, index in find_references(plan.dae, assignment.expression):
             source = _place(plan.dae, plan.dae.variables[index])

@@ -1,6 +1,7 @@
 """Rules on variables."""
 
 from collections import defaultdict
+from math import prod
 
 from fmu_build.check.archive import Fmu, Variable
 from fmu_build.check.rules.rule import Findings, rule
@@ -43,6 +44,19 @@ def starts_within_limits(fmu: Fmu) -> Findings:
                 yield f"{variable.name} starts at {text}, below its min {low}"
             if high is not None and float(text) > float(high):
                 yield f"{variable.name} starts at {text}, above its max {high}"
+
+
+@rule("an array has a start value for each element, or one for all")
+def starts_of_arrays(fmu: Fmu) -> Findings:
+    """FMI 3.0.2, 2.4.7; a scalar has one."""
+    for variable in filter(is_number, fmu.variables):
+        sizes = variable.given.get("dimensions", "").split()
+        starts = len(variable.given.get("start", "0").split())
+        if not all(text.isdigit() and int(text) > 0 for text in sizes):
+            yield f"{variable.name} has the dimensions {', '.join(sizes)}"
+        elif starts not in (1, prod(map(int, sizes))):
+            shape = " x ".join(sizes) or "1"
+            yield f"{variable.name} has {starts} start values for {shape} elements"
 
 
 @rule("min lies below max")

@@ -1,6 +1,7 @@
 within HRG.Controls;
 block BiasMap "Bias against pattern angle as calibrated, and its integral to take out of the output"
   parameter Units.Time samplePeriod "Control period";
+  Boolean tick = sample(0, samplePeriod) "Each control period";
   parameter Units.AngularVelocity mean(min = -1, max = 1) = 0 "Mean over the circumference, typically up to 0.2 deg/h";
   parameter Units.AngularVelocity cos2(min = -1, max = 1) = 0 "Coefficient of cos 2 theta, typically up to 0.1 deg/h";
   parameter Units.AngularVelocity sin2(min = -1, max = 1) = 0 "Coefficient of sin 2 theta, typically up to 0.1 deg/h";
@@ -16,7 +17,7 @@ protected
   discrete Units.DimensionlessRatio c4(start = 1, fixed = true) "cos 4 theta";
   discrete Units.DimensionlessRatio s4(start = 0, fixed = true) "sin 4 theta";
 equation
-  when sample(0, samplePeriod) then
+  when tick then
     c4 = cosine*cosine - sine*sine;
     s4 = 2*cosine*sine;
     correction = pre(correction) + samplePeriod*pre(bias);

@@ -3,6 +3,7 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
   extends PartialController;
   ProportionalIntegral phaseLoop(
     samplePeriod = samplePeriod,
+    tick = tick,
     naturalFrequency = 200,
     final startCommand(unit = "rad/s") = 0,
     error(unit = "rad") = detector.phase + phaseOffset,
@@ -12,18 +13,21 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
     "Keeps the reference in phase with the antinode";
   ProportionalIntegral amplitudeLoop(
     samplePeriod = samplePeriod,
+    tick = tick,
     naturalFrequency = 6,
     startCommand = startForce,
     error = driveOn*startUp.error,
     frozen = 1 - (1 - synthesis.wasOverloaded)*(1 - startUp.isFar)) "Holds the antinode amplitude";
   ProportionalIntegral quadratureLoop(
     samplePeriod = samplePeriod,
+    tick = tick,
     naturalFrequency = 6,
     final startCommand = 0,
     error = driveOn*(quadratureSetpoint - detector.quadrature),
     frozen = synthesis.wasOverloaded) "Holds the quadrature";
   ProportionalIntegral angleLoop(
     samplePeriod = samplePeriod,
+    tick = tick,
     naturalFrequency = 100,
     final startCommand(unit = "rad/s") = 0,
     frozen = synthesis.wasOverloaded,
@@ -34,6 +38,7 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
   DampingCancellation cancellation(cosine = detector.cosine, sine = detector.sine) "Force against damping anisotropy";
   WholeAngleReadout readout(
     samplePeriod = samplePeriod,
+    tick = tick,
     patternAngle = detector.patternAngle,
     commandedAngle = commanded.angle,
     commandedRate = readout.bryanFactor*virtualRotation + angleLoop.command + sweep.rate,
@@ -43,10 +48,11 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
     gainNoise = gainNoise,
     angleError = scaleFactorMap.error,
     correction = biasMap.correction) "Angle of the case";
-  Accumulator commanded(samplePeriod = samplePeriod, startAngle = startAngle, rate = readout.countedRate)
+  Accumulator commanded(samplePeriod = samplePeriod, tick = tick, startAngle = startAngle, rate = readout.countedRate)
     "All rotation commanded";
   ForceSynthesis synthesis(
     samplePeriod = samplePeriod,
+    tick = tick,
     parametricShare = parametricShare,
     startAngle = startAngle,
     patternAngle = detector.patternAngle,

@@ -1,6 +1,7 @@
 within HRG.Controls;
 block ForceSynthesis "Loop commands, resolved from the pattern's axes into the electrodes'"
   parameter Units.Time samplePeriod "Control period";
+  Boolean tick = sample(0, samplePeriod) "Each control period";
   parameter Units.Angle startAngle "Pattern angle at time 0";
   parameter Units.Time loopDelay(min = 0, max = 0.1) = 0
     "Age of the angle that forces are resolved with, beyond the sample, typically up to 1e-3";
@@ -33,7 +34,7 @@ protected
   discrete Units.RelativeForce antinode(start = 0, fixed = true) "Force on the antinode, in phase with the velocity, that electrodes give";
   discrete Units.RelativeForce node(start = 0, fixed = true) "Force on the node, in phase with the velocity";
 equation
-  when sample(0, samplePeriod) then
+  when tick then
     acting = pre(force);
     lastAngle = patternAngle;
     lag = loopDelay*2*(patternAngle - pre(lastAngle))/samplePeriod;

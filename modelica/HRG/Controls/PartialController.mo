@@ -8,20 +8,22 @@ partial block PartialController "What all control electronics have: detection, s
     "Share of the amplitude force that parametric drive gives, typically 0 or 1";
   PatternDetector detector(
     samplePeriod = samplePeriod,
+    tick = tick,
     startAngle = startAngle,
     reading = reading,
     expected = expectedAngle) "Orbit of the vibration";
   StartUp startUp(
     samplePeriod = samplePeriod,
+    tick = tick,
     setpoint = amplitudeSetpoint,
     amplitude = detector.amplitude,
     phase = detector.phase + phaseOffset,
     quadratureError = detector.quadrature - quadratureSetpoint,
     rebalanceError = forceToRebalance*(detector.patternAngle - (startAngle + sweep.position)),
     overload = overload) "Amplitude to aim at, and validity";
-  PatternSweep sweep(samplePeriod = samplePeriod) "Mode reversal, or dither of the pattern";
-  BiasMap biasMap(samplePeriod = samplePeriod, cosine = detector.cosine, sine = detector.sine) "Compensation of the output";
-  ScaleFactorMap scaleFactorMap(samplePeriod = samplePeriod, cosine = detector.cosine, sine = detector.sine)
+  PatternSweep sweep(samplePeriod = samplePeriod, tick = tick) "Mode reversal, or dither of the pattern";
+  BiasMap biasMap(samplePeriod = samplePeriod, tick = tick, cosine = detector.cosine, sine = detector.sine) "Compensation of the output";
+  ScaleFactorMap scaleFactorMap(samplePeriod = samplePeriod, tick = tick, cosine = detector.cosine, sine = detector.sine)
     "Compensation of the detected angle";
 protected
   Units.Angle expectedAngle "Modal angle to which the detected one is nearest";

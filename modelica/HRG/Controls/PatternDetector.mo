@@ -1,6 +1,7 @@
 within HRG.Controls;
 block PatternDetector "Sampled orbit of the vibration"
   parameter Units.Time samplePeriod "Control period";
+  Boolean tick = sample(0, samplePeriod) "Each control period";
   parameter Units.Angle startAngle "Pattern angle to begin with";
   input Units.RelativeDisplacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
   input Units.Angle expected "Modal angle to which the detected one is nearest, of those that differ by pi";
@@ -14,7 +15,7 @@ block PatternDetector "Sampled orbit of the vibration"
 protected
   discrete Units.DimensionlessRatio detected[6](start = {2*startAngle, cos(2*startAngle), sin(2*startAngle), 1, 0, 0}, each fixed = true) "Result of the detection";
 equation
-  when sample(0, samplePeriod) then
+  when tick then
     lastAngle = pre(patternAngle);
     detected = orbit(reading, expected);
     patternAngle = detected[1]/2;

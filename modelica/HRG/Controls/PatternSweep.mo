@@ -1,6 +1,7 @@
 within HRG.Controls;
 block PatternSweep "Pattern angle by which the electronics turn the pattern to and fro"
   parameter Units.Time samplePeriod "Control period";
+  Boolean tick = sample(0, samplePeriod) "Each control period";
   parameter Units.Angle angle(min = -7, max = 7) = 0
     "Pattern angle of the far end from the first, typically 0.785398 (mode reversal: antinode and node change places) or 1.570796 (a whole period of the map); 0: none";
   parameter Units.Time sweepTime(min = 0.1, max = 1e6) = 10 "Time for one way, typically 1 to 100";
@@ -15,7 +16,7 @@ protected
   discrete Units.Time clock(start = samplePeriod, fixed = true) "Time of the sample after the next, from the middle of the rest at the first end";
   discrete Units.AngularVelocity next(start = first, fixed = true) "Pattern rate from the next sample on";
 equation
-  when sample(0, samplePeriod) then
+  when tick then
     position = pre(position) + samplePeriod*pre(rate);
     rate = pre(next);
     clock = if pre(clock) + 1.5*samplePeriod > 2*half then pre(clock) + samplePeriod - 2*half else pre(clock) + samplePeriod;

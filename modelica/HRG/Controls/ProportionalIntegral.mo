@@ -1,6 +1,7 @@
 within HRG.Controls;
 block ProportionalIntegral "Critically damped loop of an integrating plant, sampled"
   parameter Units.Time samplePeriod "Control period";
+  Boolean tick = sample(0, samplePeriod) "Each control period";
   parameter Units.AngularFrequency naturalFrequency(min = 0.01, max = 500) = 6 "Natural frequency of the closed loop";
   parameter Real startCommand(unit = "1/s") = 0 "Command that the integral gives at time 0";
   input Real error(unit = "1") "Set point less measurement";
@@ -11,7 +12,7 @@ protected
   final parameter Units.DampingCoefficient proportionalGain = 2*naturalFrequency "Of the error";
   final parameter Real integralGain(unit = "1/s2") = naturalFrequency^2 "Of the integral";
 equation
-  when sample(0, samplePeriod) then
+  when tick then
     integral = pre(integral) + samplePeriod*(1 - frozen)*error;
     command = proportionalGain*error + integralGain*integral;
   end when;

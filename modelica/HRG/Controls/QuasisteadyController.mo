@@ -14,6 +14,7 @@ block QuasisteadyController "Control electronics whose loops follow at once"
   output Real rates[4] "Derivatives of modal angle, amplitude, quadrature and phase";
   QuasisteadyLoops synthesis(
     samplePeriod = samplePeriod,
+    tick = tick,
     freeRates = freeRates,
     amplitude = amplitude,
     quadrature = quadrature,
@@ -39,6 +40,7 @@ block QuasisteadyController "Control electronics whose loops follow at once"
     "Force against damping anisotropy";
   WholeAngleReadout readout(
     samplePeriod = samplePeriod,
+    tick = tick,
     patternAngle = detector.patternAngle,
     commandedAngle = commanded,
     commandedRate = readout.bryanFactor*virtualRotation + sweep.rate,

@@ -1,6 +1,7 @@
 within HRG.Controls;
 block QuasisteadyLoops "Loops that follow at once, and the forces they need"
   parameter Units.Time samplePeriod "Period of the output: loops come to rest within a few";
+  Boolean tick = sample(0, samplePeriod) "Each period of the output";
   final parameter Units.Time controlPeriod = 1e-3 "Control period of the electronics, which hold their forces for it";
   parameter Units.Time loopDelay(min = 0, max = 0.1) = 0
     "Age of the angle that forces are resolved with, beyond the sample, typically up to 1e-3";
@@ -35,6 +36,8 @@ block QuasisteadyLoops "Loops that follow at once, and the forces they need"
   output Units.RelativeForce force[4] "Force in action, for the feedthrough, {cos x, sin x, cos y, sin y}";
 protected
   final parameter Units.DampingCoefficient quickness = 1/(3*samplePeriod) "Of the loops";
+  Units.DimensionlessRatio commandShare "Rate of the modal angle per commanded one";
+  Units.AngularVelocity freeTurning "Rate of the modal angle without a command";
   Units.AngularVelocity turning "Rate of the modal angle, as commanded and as the case turns";
   Units.Angle hold "Modal angle by which held forces lag in the mean";
   Units.Angle delay "Modal angle by which delayed forces lag";
@@ -48,14 +51,17 @@ protected
   discrete Units.DimensionlessRatio started(start = 0, fixed = true) "1 from the first sample on";
   discrete Units.DimensionlessRatio passed(start = 0, fixed = true) "1 from the second sample on";
   discrete Units.DimensionlessRatio last[3](each start = 0, each fixed = true) "Amplitude, quadrature and phase at the last sample";
-  discrete Units.DampingCoefficient mean[3](each start = 0, each fixed = true) "Their mean rates over the last period";
+  discrete Units.DimensionlessRatio change[3](each start = 0, each fixed = true) "Of them over the last period";
+  Units.DampingCoefficient mean[3] "Their mean rates over the last period";
 equation
   command = noEvent(if driveOn > 0 then 1/driveOn else 0);
   detection = deviation(analogue, axes);
-  turning = (1 - rebalance)*(2*patternRate*driveOn - coupling) + rebalance*2*sweepRate*driveOn;
+  commandShare = (1 - rebalance)*2*driveOn;
+  freeTurning = rebalance*2*sweepRate*driveOn - (1 - rebalance)*coupling;
+  turning = commandShare*patternRate + freeTurning;
   hold = controlPeriod/2*turning;
   delay = loopDelay*turning;
-  turn = {1 - delay*delay/2, delay - delay*delay*delay/6};
+  turn = {1 - delay*delay/2, delay - 1/6*delay*(delay*delay)};
   aim = {
     (turn[1] - hold*turn[2])*detection[4] + (turn[2] + hold*turn[1])*detection[5],
     (turn[1] - hold*turn[2])*detection[5] - (turn[2] + hold*turn[1])*detection[4]};
@@ -65,16 +71,17 @@ equation
      quickness*(amplitudeAim - detection[1]) + amplitudeRate,
      quickness*(quadratureAim - detection[2]),
      quickness*(phaseAim - phase - detection[3])},
-    patternRate*(1 - hold*hold/3), rebalance);
+    patternRate*(1 - 1/3*hold*hold), rebalance);
   der(antinode) = ((1 - parametricShare)*motion[5] - antinode)/samplePeriod;
   der(node) = (motion[7] - node)/samplePeriod;
   der(square) = (motion[6] - square)/samplePeriod;
-  when sample(0, samplePeriod) then
+  when tick then
     passed = pre(started);
     started = 1;
-    mean = {(amplitude - pre(last[1]))/samplePeriod, (quadrature - pre(last[2]))/samplePeriod, (phase - pre(last[3]))/samplePeriod};
+    change = {amplitude - pre(last[1]), quadrature - pre(last[2]), phase - pre(last[3])};
     last = {amplitude, quadrature, phase};
   end when;
+  mean = {change[1]/samplePeriod, change[2]/samplePeriod, change[3]/samplePeriod};
   effort = 2*passed*motion[10]/(driveGain[1] + driveGain[4]);
   growthRate = (motion[5] + effort*(mean[1] - motion[2]))/detection[1];
   quadratureForce = motion[6] + effort*(mean[2] - motion[3]);

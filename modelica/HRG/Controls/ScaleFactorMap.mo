@@ -1,6 +1,7 @@
 within HRG.Controls;
 block ScaleFactorMap "Error of the detected pattern angle as calibrated, to take out of the output"
   parameter Units.Time samplePeriod "Control period";
+  Boolean tick = sample(0, samplePeriod) "Each control period";
   parameter Units.Angle cos2(min = -0.1, max = 0.1) = 0 "Coefficient of cos 2 theta, typically up to 5e-5";
   parameter Units.Angle sin2(min = -0.1, max = 0.1) = 0 "Coefficient of sin 2 theta, typically up to 5e-5";
   parameter Units.Angle cos4(min = -0.1, max = 0.1) = 0 "Coefficient of cos 4 theta, typically 2.5e-6 to 5e-4";
@@ -14,7 +15,7 @@ protected
   discrete Units.DimensionlessRatio c4(start = 1, fixed = true) "cos 4 theta";
   discrete Units.DimensionlessRatio s4(start = 0, fixed = true) "sin 4 theta";
 equation
-  when sample(0, samplePeriod) then
+  when tick then
     c4 = cosine*cosine - sine*sine;
     s4 = 2*cosine*sine;
     error = cos2*cosine + sin2*sine + cos4*c4 + sin4*s4 + cos8*(c4*c4 - s4*s4) + sin8*2*c4*s4;

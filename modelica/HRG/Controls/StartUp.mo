@@ -1,6 +1,7 @@
 within HRG.Controls;
 block StartUp "Amplitude to aim at after power-on, and whether the output is valid"
   parameter Units.Time samplePeriod "Control period";
+  Boolean tick = sample(0, samplePeriod) "Each control period";
   parameter Units.DimensionlessRatio firstAmplitude(min = 1e-3, max = 1) = 1
     "Share of the set point in the first stage, which gives a rate soon; 1: no start-up";
   parameter Units.Time firstTime(min = 0, max = 100) = 1 "End of the first stage";
@@ -24,7 +25,7 @@ block StartUp "Amplitude to aim at after power-on, and whether the output is val
 protected
   discrete Units.Time clock(start = -samplePeriod, fixed = true) "Time since power-on";
 equation
-  when sample(0, samplePeriod) then
+  when tick then
     clock = pre(clock) + samplePeriod;
     aim = setpoint*rampedShare(clock, firstAmplitude, firstTime, fullTime);
     aimRate = if clock < firstTime or clock >= fullTime then 0

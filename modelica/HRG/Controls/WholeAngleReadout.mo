@@ -1,6 +1,7 @@
 within HRG.Controls;
 block WholeAngleReadout "Angle of the case from the angle of the pattern"
   parameter Units.Time samplePeriod "Period of the output";
+  Boolean tick = sample(0, samplePeriod) "Each control period";
   parameter Units.DimensionlessRatio bryanFactor(min = 0.01, max = 1) = 0.277 "Bryan factor that the electronics believe";
   parameter Units.DimensionlessRatio clockError(min = -1e-2, max = 1e-2) = 0
     "Relative excess of the electronics' clock, typically 1e-7 to 2e-5";
@@ -27,7 +28,7 @@ protected
 equation
   patternRate = commandedRate*(1 + virtualRotationError + gainNoise) + unknownRate;
   countedRate = (1 + clockError)*driveOn*(commandedRate - lostRate);
-  when sample(0, samplePeriod) then
+  when tick then
     gyroAngle = Electrodes.digitised((commandedAngle - (patternAngle - angleError))/bryanFactor - correction, quantum, 0);
     gyroRate = pre(started)*(gyroAngle - pre(gyroAngle))/(samplePeriod*(1 + clockError));
     started = 1;

@@ -22,9 +22,10 @@ protected
   Real along[2] "Unit force on the detected antinode, on the true antinode and node";
   Real lag[2] "The same a quarter of a period behind";
   Real across[2] "Unit force on the detected node, likewise";
-  Real determinant "Of the loops' equations, its inverse";
-  Real base[2] "Forces on antinode and, in quadrature, on the node, that hold the orbit without rotation";
-  Real slope[2] "Their change per force that rotates";
+  Real inverse "Of the determinant of the loops' equations";
+  Real base[2] "Forces on antinode and, in quadrature, on the node, that hold the orbit without rotation, times the determinant";
+  Real slope[2] "Their change per force that rotates, likewise";
+  Real reach[4] "Antinode's imaginary rate by these forces, and node's real one";
   Real spread "Inverse of a^2 - q^2";
   Real still[2] "Antinode's imaginary and node's real rate without a force that rotates";
   Real push[2] "Their change per force that rotates";
@@ -55,27 +56,29 @@ algorithm
   across[1] := axes[1]*(gain[2]*aim[1] - gain[1]*aim[2]) + axes[2]*(gain[4]*aim[1] - gain[3]*aim[2]);
   across[2] := axes[1]*(gain[4]*aim[1] - gain[3]*aim[2]) - axes[2]*(gain[2]*aim[1] - gain[1]*aim[2]);
   spread := 1/(amplitude*amplitude - quadrature*quadrature);
-  determinant := 1/(axes[3]*axes[3]*along[1]*across[2] + axes[4]*axes[4]*across[1]*along[2]
+  inverse := 1/(axes[3]*axes[3]*along[1]*across[2] + axes[4]*axes[4]*across[1]*along[2]
     - axes[3]*axes[4]*(lag[1]*across[2] - lag[2]*across[1]));
-  base[1] := (axes[3]*across[2]*(wanted[2] - h[1]) + axes[4]*across[1]*(wanted[3] + h[4]))*determinant;
-  base[2] := (axes[3]*along[1]*(wanted[3] + h[4]) - axes[4]*along[2]*(wanted[2] - h[1])
-    - axes[4]*lag[1]*(wanted[3] + h[4]) - axes[3]*lag[2]*(wanted[2] - h[1]))*determinant;
-  slope[1] := -across[1]*across[2]*determinant;
-  slope[2] := (axes[3]*axes[4]*(along[2]*across[1] - along[1]*across[2])
-    + axes[4]*axes[4]*lag[1]*across[2] + axes[3]*axes[3]*lag[2]*across[1])*determinant;
-  still[1] := h[2] - axes[4]*along[1]*base[1] - axes[3]*across[1]*base[2] - axes[3]*lag[1]*base[1];
-  still[2] := h[3] + axes[3]*along[2]*base[1] - axes[4]*across[2]*base[2] - axes[4]*lag[2]*base[1];
-  push[1] := -(axes[4]*across[1] + axes[4]*along[1]*slope[1] + axes[3]*across[1]*slope[2]
-    + axes[3]*lag[1]*slope[1]);
-  push[2] := axes[3]*across[2] + axes[3]*along[2]*slope[1] - axes[4]*across[2]*slope[2] - axes[4]*lag[2]*slope[1];
+  base[1] := axes[3]*across[2]*(wanted[2] - h[1]) + axes[4]*across[1]*(wanted[3] + h[4]);
+  base[2] := (axes[3]*along[1] - axes[4]*lag[1])*(wanted[3] + h[4]) - (axes[4]*along[2] + axes[3]*lag[2])*(wanted[2] - h[1]);
+  slope[1] := -across[1]*across[2];
+  slope[2] := axes[3]*axes[4]*(along[2]*across[1] - along[1]*across[2])
+    + axes[4]*axes[4]*lag[1]*across[2] + axes[3]*axes[3]*lag[2]*across[1];
+  reach[1] := axes[4]*along[1] + axes[3]*lag[1];
+  reach[2] := axes[3]*across[1];
+  reach[3] := axes[3]*along[2] - axes[4]*lag[2];
+  reach[4] := axes[4]*across[2];
+  still[1] := h[2] - (reach[1]*base[1] + reach[2]*base[2])*inverse;
+  still[2] := h[3] + (reach[3]*base[1] - reach[4]*base[2])*inverse;
+  push[1] := -(axes[4]*across[1] + (reach[1]*slope[1] + reach[2]*slope[2])*inverse);
+  push[2] := axes[3]*across[2] + (reach[3]*slope[1] - reach[4]*slope[2])*inverse;
   drift := (amplitude*still[2] - quadrature*still[1])*spread;
   response := (amplitude*push[2] - quadrature*push[1])*spread;
   swing := (amplitude*still[1] - quadrature*still[2])*spread;
   reaction := (amplitude*push[1] - quadrature*push[2])*spread;
   on := if driveOn > 0 then 1 else 0;
   node := on*(if rebalance > 0 then (wanted[1] - drift)/response else driveOn*2*patternRate*detected);
-  antinode := on*(base[1] + slope[1]*node);
-  square := on*(base[2] + slope[2]*node);
+  antinode := on*(base[1] + slope[1]*node)*inverse;
+  square := on*(base[2] + slope[2]*node)*inverse;
   forces[1] := (1 - parametricShare)*antinode;
   forces[2] := square;
   forces[3] := node;

@@ -2,7 +2,9 @@ within HRG.Electrodes;
 block CarrierPickOff "Displacement at its carrier, converted and demodulated"
   extends PartialPickOff;
   parameter Units.Time samplePeriod "Control period";
+  Boolean tick = sample(0, samplePeriod) "Each control period";
   parameter Units.Time converterPeriod "Sample period of the converters";
+  Boolean conversion = sample(0, converterPeriod) "Each sample of the converters";
   parameter Units.RelativeDisplacement converterResolution(min = 0, max = 1) = 0 "Least significant bit of a converter, typically 2e-5 to 1e-3: 18 to 12 bits over a range of 2 (estimate); 0: none";
   parameter Units.RelativeDisplacement converterRange(min = 0, max = 1e6) = 0 "A converter clips at this value, typically 1.2 to 2, the headroom over the nominal amplitude (estimate); 0: never";
   parameter Units.Angle startAngle "Pattern angle at time 0";
@@ -25,7 +27,7 @@ protected
     start = {startAmplitude*cos(2*startAngle), 0, startAmplitude*sin(2*startAngle), 0},
     each fixed = true) "{cx, sx, cy, sy}";
 equation
-  when sample(0, converterPeriod) then
+  when conversion then
     y = position[2] + share*position[1];
     signal = {
       gain[1]*position[1]*(1 + cubic*position[1]^2) + feedthrough*(pre(lastForce[1])*carrier[1] + pre(lastForce[2])*carrier[2]),
@@ -40,7 +42,7 @@ equation
     lastForce = force;
   end when;
   gathered = sums;
-  when sample(0, samplePeriod) then
+  when tick then
     demodulated = fitted(gathered, pre(demodulated));
   end when;
   received = {

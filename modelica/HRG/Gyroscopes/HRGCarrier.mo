@@ -5,7 +5,8 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
   final parameter Units.Time converterPeriod = 5e-6 "Sample period of the converters";
   Electrodes.Ring ring "Electrodes around the shell";
   Resonators.CarrierResonator resonator(
-    final thermalPeriod = 1e-2,
+    samplePeriod = samplePeriod,
+    tick = control.tick,
     material(frequency(max = 2.5e5), ringErrors = ring.errors),
     startAngle = startAngle,
     startAmplitude = startAmplitude,
@@ -21,7 +22,9 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
   Electrodes.CarrierPickOff pickOff(
     ringErrors = ring.errors,
     samplePeriod = samplePeriod,
+    tick = control.tick,
     converterPeriod = converterPeriod,
+    conversion = conversion,
     startAngle = startAngle,
     startAmplitude = startAmplitude,
     position = resonator.oscillator.position,
@@ -30,8 +33,8 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
     gradient = resonator.environment.gradient,
-    rise = interpolation.rise,
-    missing = interpolation.missing,
+    rise = resonator.interpolation.rise,
+    missing = resonator.interpolation.missing,
     age = resonator.environment.age,
     turning = controller.commandedTurn - (1 - controller.forceToRebalance)*resonator.material.coupling,
     biasVoltage = biasVoltage,
@@ -48,13 +51,16 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     noise = noise.force) "Drives";
   Noise.CoefficientFlicker flicker(
     samplePeriod = resonator.thermalPeriod,
+    tick = resonator.thermalTick,
     seed = seed) "Flicker of coefficients of the shell and the pick-offs";
   Noise.ElectronicsNoise noise(
     samplePeriod = samplePeriod,
+    tick = control.tick,
     bryanFactor = resonator.material.bryanFactor,
     seed = seed) "Noise of drives, pick-offs and electronics";
   Controls.Controller controller(
     samplePeriod = samplePeriod,
+    tick = control.tick,
     startAngle = startAngle,
     startForce = startAmplitude/resonator.material.decayTime,
     frequency = resonator.material.frequency,
@@ -67,12 +73,8 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     rateNoise = noise.patternRate,
     gainNoise = noise.rotation) "Control electronics";
 protected
-  Resonators.Interpolation interpolation(
-    samplePeriod = samplePeriod,
-    thermalPeriod = resonator.thermalPeriod,
-    startTemperature = resonator.environment.startTemperature,
-    temperature = resonator.environment.temperature,
-    gradient = resonator.environment.gradient) "Temperatures between their samples";
+  Boolean conversion = sample(0, converterPeriod) "The one clock: each sample of the converters";
+  Controls.ClockDivider control(final factor = 200, clock = conversion) "Control periods";
 equation
   gyroAngle = controller.gyroAngle;
   gyroRate = controller.gyroRate;

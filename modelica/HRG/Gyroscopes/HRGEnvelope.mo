@@ -5,7 +5,8 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
   Electrodes.Ring ring "Electrodes around the shell"
     annotation (Placement(transformation(extent = {{150, 100}, {190, 140}})));
   Resonators.Resonator resonator(
-    final thermalPeriod = 1e-2,
+    samplePeriod = samplePeriod,
+    tick = tick,
     material(ringErrors = ring.errors),
     startAngle = startAngle,
     startAmplitude = startAmplitude,
@@ -16,8 +17,8 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
     gradient = resonator.environment.gradient,
-    rise = interpolation.rise,
-    missing = interpolation.missing,
+    rise = resonator.interpolation.rise,
+    missing = resonator.interpolation.missing,
     age = resonator.environment.age,
     turning = controller.commandedTurn - (1 - controller.isHeld)*resonator.material.coupling) "Pick-offs and demodulation"
     annotation (Placement(transformation(extent = {{76, 40}, {116, 100}})));
@@ -28,33 +29,32 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
     annotation (Placement(transformation(extent = {{-110, 20}, {-70, 60}})));
   Noise.CoefficientFlicker flicker(
     samplePeriod = resonator.thermalPeriod,
+    tick = resonator.thermalTick,
     seed = seed) "Flicker of coefficients of the shell and the pick-offs"
     annotation (Placement(transformation(extent = {{-110, 108}, {-70, 138}})));
   Noise.ElectronicsNoise noise(
     samplePeriod = samplePeriod,
+    tick = tick,
     bryanFactor = resonator.material.bryanFactor,
     seed = seed) "Noise of drives, pick-offs and electronics"
     annotation (Placement(transformation(extent = {{-150, -60}, {-110, -20}})));
   replaceable Controls.Controller controller(
     samplePeriod = samplePeriod,
+    tick = tick,
     startAngle = startAngle,
     startForce = startAmplitude/resonator.material.decayTime,
     frequency = resonator.material.frequency,
     authority = drive.authority) "Control electronics; redeclared, a controller of one's own closes the loops"
     constrainedby Interfaces.PartialElectronics(
     samplePeriod = samplePeriod,
+    tick = tick,
     startAngle = startAngle,
     startForce = startAmplitude/resonator.material.decayTime,
     frequency = resonator.material.frequency,
     authority = drive.authority)
     annotation (choicesAllMatching = true, Placement(transformation(extent = {{-36, -128}, {36, -8}})));
 protected
-  Resonators.Interpolation interpolation(
-    samplePeriod = samplePeriod,
-    thermalPeriod = resonator.thermalPeriod,
-    startTemperature = resonator.environment.startTemperature,
-    temperature = resonator.environment.temperature,
-    gradient = resonator.environment.gradient) "Temperatures between their samples";
+  Boolean tick = sample(0, samplePeriod) "The one clock: each control period";
 equation
   connect(angularRate, resonator.angularRate)
     annotation (Line(points = {{-206, 95}, {-60, 95}, {-60, 95.2}, {-39.6, 95.2}}, color = {0, 0, 127}));

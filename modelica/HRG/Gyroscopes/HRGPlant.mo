@@ -19,7 +19,8 @@ model HRGPlant "Resonator, pick-offs and drives of HRGEnvelope, for electronics 
   output Units.RelativeDisplacement reading[4](each nominal = 1) "Demodulated displacement {cx, sx, cy, sy}, sampled with noise";
   Electrodes.Ring ring "Electrodes around the shell";
   Resonators.Resonator resonator(
-    final thermalPeriod = 1e-2,
+    samplePeriod = samplePeriod,
+    tick = tick,
     material(ringErrors = ring.errors),
     startAngle = startAngle,
     startAmplitude = startAmplitude,
@@ -39,8 +40,8 @@ model HRGPlant "Resonator, pick-offs and drives of HRGEnvelope, for electronics 
     temperature = resonator.environment.temperature,
     acceleration = {accelerationX, accelerationY, accelerationZ},
     gradient = resonator.environment.gradient,
-    rise = interpolation.rise,
-    missing = interpolation.missing,
+    rise = resonator.interpolation.rise,
+    missing = resonator.interpolation.missing,
     age = resonator.environment.age,
     turning = commandedRate - (1 - isHeld)*resonator.material.coupling,
     biasVoltage = biasVoltage,
@@ -61,18 +62,15 @@ model HRGPlant "Resonator, pick-offs and drives of HRGEnvelope, for electronics 
     noise = noise.force) "Drives";
   Noise.CoefficientFlicker flicker(
     samplePeriod = resonator.thermalPeriod,
+    tick = resonator.thermalTick,
     seed = seed) "Flicker of coefficients of the shell and the pick-offs";
   Noise.ElectronicsNoise noise(
     samplePeriod = samplePeriod,
+    tick = tick,
     bryanFactor = resonator.material.bryanFactor,
     seed = seed) "Noise of drives and pick-offs; that of the electronics is left to them";
 protected
-  Resonators.Interpolation interpolation(
-    samplePeriod = samplePeriod,
-    thermalPeriod = resonator.thermalPeriod,
-    startTemperature = resonator.environment.startTemperature,
-    temperature = resonator.environment.temperature,
-    gradient = resonator.environment.gradient) "Temperatures between their samples";
+  Boolean tick = sample(0, samplePeriod) "The one clock: each control period";
 equation
   reading = pickOff.reading;
   annotation (Documentation(info="<html>

@@ -1,6 +1,7 @@
 within HRG.Interfaces;
 partial block PartialElectronics "Control electronics of a gyro: they read its pick-offs, command its drives and put out its angle"
   parameter Units.Time samplePeriod "Period of the output";
+  Boolean tick = sample(0, samplePeriod) "Each period of the output";
   parameter Units.Angle startAngle "Pattern angle at time 0";
   parameter Units.RelativeForce startForce "Force on the antinode at time 0, which holds the amplitude of an ideal gyro";
   parameter Units.AngularFrequency frequency "Nominal modal frequency";
@@ -52,7 +53,7 @@ partial block PartialElectronics "Control electronics of a gyro: they read its p
     annotation (Placement(transformation(extent = {{100, -99}, {112, -87}})));
   annotation (Icon(graphics = {Rectangle(extent = {{-100, 100}, {100, -100}}), Line(points = {{-60, -40}, {-20, -40}, {-20, 20}, {20, 20}, {20, -10}, {60, -10}}), Text(extent = {{-150, 140}, {150, 105}}, textString = "%name", textColor = {0, 0, 255})}),
     Documentation(info="<html>
-<p>What stands in for a gyro's electronics has these connectors. At each multiple of <code>samplePeriod</code> they sample the reading and command a force, a growth by
+<p>What stands in for a gyro's electronics has these connectors. At each <code>tick</code> (<code>when tick then</code>) they sample the reading and command a force, a growth by
 parametric drive and a reference frequency, which they hold until the next. <code>acting</code>, the force of the period before, must not depend on the present reading: it feeds
 through to the pick-offs.</p>
 </html>"));

@@ -1,6 +1,7 @@
 within HRG.Noise;
 block CoefficientFlicker "Flicker of damping anisotropy, of the pick-offs' gain mismatch and of their phase"
   parameter Units.Time samplePeriod "Period of the noise";
+  Boolean tick = sample(0, samplePeriod) "Each sample period";
   parameter Integer seed(min = 0, max = 2147483647) "Seed of the generators";
   parameter Units.DimensionlessRatio dampingAnisotropy(min = 0, max = 1) = 0
     "Flicker coefficient of D relative to it, typically 1e-5 to 1e-3 (estimate): 4e-5 to 4e-3 deg/h where D makes 4 deg/h";
@@ -22,7 +23,7 @@ protected
   final parameter Units.DimensionlessRatio decays[16] = lagDecays(samplePeriod) "Of the lags over a period, and weights of their input";
   discrete Units.DimensionlessRatio memory[45](start = start, each fixed = true) "States of the generators, lags and their sums";
 equation
-  when sample(0, samplePeriod) then
+  when tick then
     memory = if isMade > 0.5 then flickers(pre(memory), decays) else pre(memory);
   end when;
   damping = dampingAnisotropy*scale*memory[43];

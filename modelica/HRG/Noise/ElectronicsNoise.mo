@@ -1,6 +1,7 @@
 within HRG.Noise;
 block ElectronicsNoise "White noise of the force and pick-off channels, slow noise of the rate, noise of the virtual rotation"
   parameter Units.Time samplePeriod "Period of the noise";
+  Boolean tick = sample(0, samplePeriod) "Each sample period";
   parameter Units.Time pickOffPeriod = samplePeriod "Period over which pick-off noise is averaged";
   parameter Units.DimensionlessRatio bryanFactor "Converts input rates into pattern rates";
   parameter Integer seed(min = 0, max = 2147483647) "Seed of the generators";
@@ -39,7 +40,7 @@ protected
   discrete Units.DimensionlessRatio lags[8](each start = 0, each fixed = true) "Flicker noise";
   discrete Units.AngularVelocity walk(start = 0, fixed = true) "Rate random walk";
 equation
-  when sample(0, samplePeriod) then
+  when tick then
     memory = if isMade > 0.5 then deviates(pre(memory)) else pre(memory);
     lags = flicker(pre(lags), decays, memory[81]);
     walk = pre(walk) + walkDeviation*memory[82];

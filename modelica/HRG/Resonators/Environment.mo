@@ -1,6 +1,7 @@
 within HRG.Resonators;
 block Environment "Temperature of the resonator, rate of the case's temperature, and age, sampled"
   parameter Units.Time samplePeriod "Sample period";
+  Boolean tick = sample(0, samplePeriod) "Each sample period";
   parameter Units.Temperature referenceTemperature(min = 1, max = 1000) = 298.15 "Temperature that parameters hold at";
   parameter Units.Time thermalLag(min = 1, max = 1e6) = 600 "Lag of the resonator behind the case, typically 60 to 1800 s";
   parameter Units.TemperatureDifference startTemperature(min = -400, max = 400) = 0
@@ -18,7 +19,7 @@ protected
   discrete Units.TemperatureDifference case(start = 0, fixed = true) "Case above the reference temperature";
   discrete Units.DimensionlessRatio started(start = 0, fixed = true) "1 from the first sample on";
 equation
-  when sample(0, samplePeriod) then
+  when tick then
     case = caseTemperature - referenceTemperature;
     temperature = pre(temperature) + approach*(case + selfHeating - pre(temperature));
     gradient = pre(started)*(case - temperature);

@@ -1,7 +1,9 @@
 within HRG.Resonators;
 block Interpolation "Straight lines between samples of temperature and gradient"
   parameter Units.Time samplePeriod "Control period";
+  Boolean tick = sample(0, samplePeriod) "Each control period";
   parameter Units.Time thermalPeriod "Sample period of temperature and gradient, a multiple of the control period";
+  Boolean thermalTick = sample(0, thermalPeriod) "Each of them";
   parameter Units.TemperatureDifference startTemperature "Temperature at time 0";
   input Units.TemperatureDifference temperature "Of the resonator above the reference, sampled";
   input Units.TemperatureDifference gradient "Case above the resonator, sampled";
@@ -11,11 +13,11 @@ protected
   final parameter Units.DimensionlessRatio part = samplePeriod/thermalPeriod "Part of a line that a control period takes";
   discrete Units.TemperatureDifference last[2](start = {startTemperature, 0}, each fixed = true) "Temperature and gradient at the last sample";
 equation
-  when sample(0, thermalPeriod) then
+  when thermalTick then
     rise = {temperature - pre(last[1]), gradient - pre(last[2])};
     last = {temperature, gradient};
   end when;
-  when sample(0, samplePeriod) then
+  when tick then
     missing = if pre(missing) > part/2 then pre(missing) - part else 1 - part;
   end when;
   annotation (Documentation(info="<html>

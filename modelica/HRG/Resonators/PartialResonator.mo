@@ -1,6 +1,7 @@
 within HRG.Resonators;
 partial model PartialResonator "Vibrating shell: environment and material; the motion is left to who extends it"
   parameter Units.Time thermalPeriod "Sample period of the environment";
+  Boolean thermalTick = sample(0, thermalPeriod) "Each of them";
   parameter Units.Angle startAngle = 0 "Pattern angle at time 0";
   parameter Units.RelativeDisplacement startAmplitude(min = 1e-6, max = 10) = 1 "Antinode amplitude at time 0";
   parameter Real imbalanceX(unit = "s/m", min = -1e3, max = 1e3) = 0
@@ -17,7 +18,7 @@ partial model PartialResonator "Vibrating shell: environment and material; the m
     annotation (Placement(transformation(extent = {{-120, -22}, {-100, -2}})));
   Interfaces.Inputs.Acceleration vibration "Case vibration at the modal frequency, in phase with the reference"
     annotation (Placement(transformation(extent = {{-120, 28}, {-100, 48}})));
-  Environment environment(samplePeriod = thermalPeriod, caseTemperature = caseTemperature) "Temperature and age";
+  Environment environment(samplePeriod = thermalPeriod, tick = thermalTick, caseTemperature = caseTemperature) "Temperature and age";
   MassDefects massDefects "Harmonics of the rim's mass";
   Material material(
     supportLoss = massDefects.loss,

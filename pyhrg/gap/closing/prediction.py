@@ -45,17 +45,17 @@ def predict(
     simulation: Simulation | None = None,
     progress: Show = None,
 ) -> pd.DataFrame:
-    """Predict the output angle that the closed simulation gives to the inputs of a log.
+    """Predict the output angle of the identified device for the inputs of a log.
 
-    Inputs that the recorder lost are filled in as in a diagnosis. Where the diagnosis proposes
-    terms, the FMU of the gyro with them is run.
+    Inputs that the recorder lost are filled in as in a diagnosis. If the diagnosis proposes terms,
+    the FMU of the gyro with these terms is run.
 
     Args:
         diagnosis: of the campaign: a `CampaignDiagnosis`, its `diagnosis`, or the path of its
             `diagnosis.json`.
         log: a log or its file.
         campaign: the campaign or its folder; its nominal values state the nominal gyro.
-        simulation: both fidelities of the gyro; by default they are built, or taken from the cache.
+        simulation: FMUs `HRG` and `HRGSlow`; by default they are built, or taken from the cache.
         progress: True prints each step to standard error; a function is called with it.
 
     Returns:

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from pyhrg.common.arrays import Array
+from pyhrg.common.errors import describe_briefly
 from pyhrg.common.toml_table import Key
 from pyhrg.device.declarations import Family, read_declarations
 from pyhrg.device.device import Device
@@ -158,6 +159,8 @@ class Catalogue:
     effects: tuple[Effect, ...] = DETERMINISTIC
     noises: tuple[NoiseEffect, ...] = NOISES
     known: tuple[Effect, ...] = KNOWN
+
+    __repr__ = describe_briefly
 
     @property
     def parameters(self) -> tuple[Effect, ...]:

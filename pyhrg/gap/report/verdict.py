@@ -140,7 +140,7 @@ def describe_leftover(diagnosis: Diagnosis) -> str:
     sizes = (
         f"{format_number(left.angle_arcsec)} arcsec, {format_number(left.rate_deg_h)} deg/h "
         f"({format_number(left.document()['position_m'])} m after an hour) and "
-        f"{format_percent(left.loop_share)} of what the loops hold"
+        f"{format_percent(left.loop_share)} of the scale of another channel"
     )
     limits = f"{bound.angle_arcsec:g} arcsec, {bound.rate_deg_h:g} deg/h"
     limits += f", {format_percent(bound.loop_share)}"

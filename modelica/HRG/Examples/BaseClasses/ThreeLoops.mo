@@ -4,21 +4,25 @@ block ThreeLoops "Electronics of one's own: loops of phase, amplitude and quadra
   parameter Units.DimensionlessRatio bryanFactor = 0.277 "Bryan factor that the electronics believe";
   Controls.PatternDetector detector(
     samplePeriod = samplePeriod,
+    tick = tick,
     startAngle = startAngle,
     reading = reading,
     expected = 2*detector.lastAngle) "Orbit of the vibration";
   Controls.ProportionalIntegral phaseLoop(
     samplePeriod = samplePeriod,
+    tick = tick,
     naturalFrequency = 200,
     error = detector.phase + phaseOffset,
     frozen = 0) "Keeps the reference in phase with the antinode";
   Controls.ProportionalIntegral amplitudeLoop(
     samplePeriod = samplePeriod,
+    tick = tick,
     startCommand = startForce,
     error = driveOn*(amplitudeSetpoint - detector.amplitude),
     frozen = 0) "Holds the antinode amplitude";
   Controls.ProportionalIntegral quadratureLoop(
     samplePeriod = samplePeriod,
+    tick = tick,
     error = -driveOn*detector.quadrature,
     frozen = 0) "Holds the quadrature at zero";
 protected
@@ -29,7 +33,7 @@ protected
   discrete Units.Angle angle(start = 0, fixed = true) "Angle of the case";
   discrete Units.AngularVelocity rate(start = 0, fixed = true) "Its rate over the last period";
 equation
-  when sample(0, samplePeriod) then
+  when tick then
     antinode = driveOn*amplitudeLoop.command;
     square = driveOn*quadratureLoop.command;
     command = {antinode*detector.cosine, -square*detector.sine, antinode*detector.sine, square*detector.cosine};

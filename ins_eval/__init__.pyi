@@ -9,6 +9,12 @@ from .imu.specification import list_imus, load_imu
 from .navigation.strapdown import navigate
 from .parking.parking import ParkingComparison, compare_parking
 from .position.front import PositionGap, compute_position_gap
+from .schedules.schedules import (
+    ChosenSchedules,
+    ScheduleComparison,
+    choose_schedules,
+    compare_schedules,
+)
 from .study.challenge.challenge import hand_out_challenge, score_challenge
 from .study.run_study import StudyResult, run_study
 from .study.study_file import load_study
@@ -20,13 +26,17 @@ from .trajectories.catalogue import list_trajectories, load_trajectory
 __all__ = [
     "AidedDrive",
     "AlignedRecord",
+    "ChosenSchedules",
     "Flight",
     "ParkingComparison",
     "PositionGap",
+    "ScheduleComparison",
     "StudyResult",
     "aid",
     "align",
+    "choose_schedules",
     "compare_parking",
+    "compare_schedules",
     "compute_position_gap",
     "fly",
     "fly_log",

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from benchmarks.aided.known import KNOWN, learn_deviations, list_states, make_bench_maps
-from ins_eval.aided.bench_maps import BenchMap, choose_bench_maps, take_bench_maps
+from ins_eval.aided.bench_maps import choose_bench_maps, take_bench_maps
 from ins_eval.aided.bias_map import BiasMap, read_bias_map
 from ins_eval.aided.correction import correct_increments
 from ins_eval.aided.fixes import Fixes, make_position_fixes
@@ -19,6 +19,7 @@ from ins_eval.aided.kalman.start import align_in_motion
 from ins_eval.common.state import displace, position_error
 from ins_eval.error_model.dynamics import COUNT
 from ins_eval.error_model.linear_model import linearize
+from ins_eval.mission_model.bench_map import BenchMap
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.missions import SETTLING, StudyMission, plan_mission
 from ins_eval.mission_model.signals import (

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from ins_eval.aided.bench_maps import BenchMap
 from ins_eval.aided.kalman.sensors import SensorStates
 from ins_eval.error_model.effects import accelerometer_bias, gyro_bias, misalignment
 from ins_eval.flights.assumed_errors import ASSUMED_FLICKER_TIMES
 from ins_eval.imu.sensor_error_model import TYPICAL_ACCELEROMETERS
+from ins_eval.mission_model.bench_map import BenchMap
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.signals import (
     STEADY,

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 
-from ins_eval.aided.bench_maps import BenchMap, read_bench_map
 from ins_eval.aided.bias_map import read_bias_map
 from ins_eval.aided.estimate import estimate_drive
 from ins_eval.aided.fixes import FEWEST, Fixes, read_fixes
@@ -23,6 +22,7 @@ from ins_eval.flights.assumed_errors import assume_errors
 from ins_eval.flights.sources import load_imu_at_rate, read_record
 from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
+from ins_eval.mission_model.bench_map import BenchMap, read_bench_map
 from pyhrg.common.arguments import check_number
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError

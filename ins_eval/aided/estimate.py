@@ -4,12 +4,13 @@ out."""
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from ins_eval.aided.bench_maps import BenchMap, BenchTest, choose_bench_maps, take_bench_maps
+from ins_eval.aided.bench_maps import BenchTest, choose_bench_maps, take_bench_maps
 from ins_eval.aided.fixes import Fixes
 from ins_eval.aided.kalman.backward import Smoothed, smooth
 from ins_eval.aided.kalman.drive import Drive
 from ins_eval.aided.kalman.forward import Filtered, Start, run_filter
 from ins_eval.aided.kalman.sensors import SensorStates
+from ins_eval.mission_model.bench_map import BenchMap
 from pyhrg.common.arrays import Array
 
 

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from ins_eval.aided.novatel import is_novatel, split_positions
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError, describe_briefly, quote
 from pyhrg.common.reading.documents import parse_csv
@@ -33,7 +34,8 @@ A standstill is a velocity of 0. Sigmas are of each component."""
 HEIGHT_SIGMA = "height_sigma_m"
 """Optional column; without it, heights are as accurate as the other two."""
 KF_GINS = (TIME, *GROUPS["position"][:3], "sigma_north_m", "sigma_east_m", "sigma_down_m")
-"""Columns of the text format of KF-GINS: no header, fields in white space."""
+"""Columns of the text format of KF-GINS: no header, fields in white space; and of the positions of
+NovAtel messages."""
 LIMITS = {
     "latitude_deg": (-89.0, 89.0),
     "longitude_deg": (-360.0, 360.0),
@@ -100,7 +102,7 @@ def make_position_fixes(time: Array, position: Array, sigma: Array | float) -> F
 
 
 def read_fixes(path: Path | str) -> Fixes:
-    """Read fixes from a CSV file or KF-GINS text, gzipped or not (docs/aided.md).
+    """Read fixes from a CSV file, KF-GINS text or NovAtel messages, gzipped or not (docs/aided.md).
 
     Raises:
         HrgError: an unreadable file; no position; a column that is missing or appears twice; a
@@ -108,9 +110,10 @@ def read_fixes(path: Path | str) -> Fixes:
     """
     source = Path(path)
     text = decode(source, read_unpacked(source))
-    if _is_kf_gins(text):
+    if is_novatel(text) or _is_kf_gins(text):
         wanted, places = list(KF_GINS), list(range(len(KF_GINS)))
-        numbered = _split_kf_gins(source, text)
+        split = split_positions if is_novatel(text) else _split_kf_gins
+        numbered = split(source, text)
     else:
         (_, names), *numbered = list(parse_csv(source, text)) or [(1, [])]
         header = [name.strip() for name in names]

@@ -196,13 +196,19 @@ def simulate_gyro(bench: Bench, rotation: Array, force: Array, interval: float) 
 
 
 def simulate_together(
-    benches: Sequence[Bench], rotation: Array, forces: Sequence[Array], interval: float
+    benches: Sequence[Bench],
+    rotation: Array,
+    forces: Sequence[Array],
+    interval: float,
+    commands: Sequence[Mapping[str, Array]] | None = None,
 ) -> list[GyroOutput]:
     """Switch several gyros on at the same time and simulate each on its motion: `simulate_gyro` of
     each, sooner.
 
-    rotation: (n, gyros), rad; forces: (n, 3) of each gyro, m/s^2.
+    rotation: (n, gyros), rad; forces: (n, 3) of each gyro, m/s^2; commands: inputs of each gyro
+    that are constant over an interval, (n,) by the FMU's names, SI.
     """
+    held = commands or [{}] * len(benches)
     moving = []
     for rate, force in zip(rotation.T / interval, forces, strict=True):
         inputs = {"angularRate": rate}
@@ -212,7 +218,7 @@ def simulate_together(
     with ExitStack() as stack:
         gyros = [stack.enter_context(bench.power_on(FLIGHT)) for bench in benches]
         starts = [gyro.read("gyroAngle") for gyro in gyros]
-        recorded = record_together(gyros, moving, [{}] * len(gyros), interval, names)
+        recorded = record_together(gyros, moving, held, interval, names)
     return [
         _read_output(bench, start, ends)
         for bench, start, (ends, _) in zip(benches, starts, recorded, strict=True)

@@ -78,7 +78,7 @@ def compute_mission_weights(mission: StudyMission) -> MissionWeights:
     steps = round(mission.hours * 3600 / STEP)
     spacing = round(mission.interval / STEP)
     kept = aligning + np.arange(spacing, steps + 1, spacing)
-    models = _linearize_mission(trajectory, steps, effects)
+    models = linearize_mission(trajectory, steps, effects)
     carried, transition, per_rate = _propagate(models, len(effects), aligning, kept)
     by_coefficient, attitude = carried[:, :, :-AXES], carried[:, :, -AXES:]
     by_effect = by_coefficient.reshape(len(kept), 2, -1, AXES)
@@ -95,7 +95,7 @@ def compute_mission_weights(mission: StudyMission) -> MissionWeights:
     )
 
 
-def _linearize_mission(
+def linearize_mission(
     trajectory: Trajectory, steps: int, effects: Sequence[Effect]
 ) -> Iterator[LinearModel]:
     """Linear model of the alignment, then of the flight in pieces."""

@@ -21,15 +21,15 @@ FMU_FLICKER_SCALE = np.log(8) / np.pi
 
 
 def compute_error_weights(transition: Array, per_rate: Array, kept: NDArray[np.int64]) -> Array:
-    """(2 k, n, 3) error north and east at the kept times per rate error in each step (Eq. 9).
+    """(2 k, n, s) error north and east at the kept times per sensor error in each step (Eq. 9).
 
-    transition: (n, 10, 10) transition matrices of the linear model; per_rate: (n, 10, 3) state
-    error per mean rate error of each gyro over a step; kept: (k,) numbers of the steps after which
-    errors are kept.
+    transition: (n, 10, 10) transition matrices of the linear model; per_rate: (n, 10, s) state
+    error per mean error of each gyro's rate, or other sensor, over a step; kept: (k,) numbers of
+    the steps after which errors are kept.
     """
     places = {step: i for i, step in enumerate(kept.tolist())}
     back = np.zeros((2 * len(kept), transition.shape[1]))
-    weights = np.empty((len(transition), 2 * len(kept), 3))
+    weights = np.empty((len(transition), 2 * len(kept), per_rate.shape[-1]))
     for k in reversed(range(len(transition))):
         if k + 1 in places:
             first = 2 * places[k + 1]

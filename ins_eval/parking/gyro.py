@@ -31,7 +31,6 @@ class Start(Enum):
     AS_IT_COMES = "each gyro's own angle, of any value"
     ZERO = "parked where the map crosses its mean"
     FLAT = "parked where the map is flattest"
-    SCHEDULED = "parked where the maps make the mission's position error least, by the linear model"
 
 
 class Known(Enum):
@@ -72,12 +71,6 @@ CASES = (
     ),
     Case("zero_mean", "parked at a zero, mean bias taken out", Start.ZERO, Known.MEAN),
     Case("flat_at_start", "parked at an extreme, bias there taken out", Start.FLAT, Known.AT_START),
-    Case(
-        "scheduled_at_start",
-        "parked for the mission, bias there taken out",
-        Start.SCHEDULED,
-        Known.AT_START,
-    ),
     LIMIT,
 )
 """All cases; the others are compared with the first."""

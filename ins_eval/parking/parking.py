@@ -8,8 +8,7 @@ from matplotlib.figure import Figure
 
 from fmu_build.bundle import build_fmu
 from ins_eval.common.metrics import MIN_SAMPLE_FOR_MEDIAN
-from ins_eval.mission_model.missions import LONGEST_HOURS, STILL, plan_mission
-from ins_eval.mission_model.weights_cache import load_mission_weights
+from ins_eval.mission_model.missions import STILL
 from ins_eval.parking import report
 from ins_eval.parking.mission import sample_mission
 from ins_eval.parking.report import plot_comparison
@@ -20,7 +19,7 @@ from pyhrg.common.errors import describe_briefly
 from pyhrg.common.files import stage_files
 
 LONGEST_FLIGHT_HOURS = 24.0
-"""Longest flight, h; the linear model, which chooses the start angles, ends at `LONGEST_HOURS`."""
+"""Longest flight, h."""
 MAX_TRIADS = 10_000
 MARGIN = 10.0
 """Time by which trajectories go on beyond the mission's end, s, so that no spline ends in it."""
@@ -82,8 +81,5 @@ def compare_parking(
     path = load_trajectory(trajectory, minutes * 60 + MARGIN, STILL)
     mission = sample_mission(path, minutes / 60)
     checked_seed = check_seed(seed)
-    weights = load_mission_weights(plan_mission(trajectory, min(minutes / 60, LONGEST_HOURS)))
-    found = compare(
-        build_fmu(), mission, weights, triads, checked_seed, workers=workers, progress=progress
-    )
+    found = compare(build_fmu(), mission, triads, checked_seed, workers=workers, progress=progress)
     return ParkingComparison(**vars(found))

@@ -17,7 +17,7 @@ from ins_eval.results.png import save_png
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG, NAUTICAL_MILE
 
-COLORS = ("black", "tab:blue", "tab:orange", "tab:red", "tab:purple", "tab:green")
+COLORS = ("black", "tab:blue", "tab:orange", "tab:red", "tab:green")
 
 
 def plot_comparison(result: Comparison) -> Figure:

@@ -8,7 +8,6 @@ import numpy as np
 
 from ins_eval.common.metrics import PairedRatio, compute_paired_ratio
 from ins_eval.imu.sensor_error_model import TYPICAL_ACCELEROMETERS
-from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.parking.gyro import measure_maps
 from ins_eval.parking.mission import Mission
 from ins_eval.parking.triad import DRIVES, TriadFlights, fly_triad
@@ -62,7 +61,6 @@ def compare_with_first_case(radial: Array) -> list[PairedRatio]:
 def compare(
     fmu_path: Path,
     mission: Mission,
-    weights: MissionWeights,
     triads: int,
     seed: int,
     *,
@@ -73,9 +71,8 @@ def compare(
 ) -> Comparison:
     """Fly every triad in every case; the same seed gives the same result on any number of workers.
 
-    weights: of the mission. The triads are of the device's kind (`Device.another`); maps are
-    measured at the positions of `plan` (`measure_maps`); `progress` is called with the gyro minutes
-    done and those of all.
+    The triads are of the device's kind (`Device.another`); maps are measured at the positions of
+    `plan` (`measure_maps`); `progress` is called with the gyro minutes done and those of all.
     """
     fmu = GyroFmu(fmu_path)
     truth = mission.truth.increments
@@ -86,7 +83,7 @@ def compare(
         velocity = TYPICAL_ACCELEROMETERS.measure(truth.velocity, truth.interval, generator)
         benches = [Bench(fmu, each, seed=int(generator.integers(2**63))) for each in devices]
         gyros = [measure_maps(bench, plan) for bench in benches]
-        return fly_triad(gyros, velocity, mission, weights)
+        return fly_triad(gyros, velocity, mission)
 
     one_triad = DRIVES * len(mission.time)
     flown = fmu.map(

@@ -13,7 +13,7 @@ from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.records.log import Log
 from pyhrg.witness.design import HARMONICS
-from pyhrg.witness.fit import SIGNIFICANCE, Flown, fit_changes
+from pyhrg.witness.fit import MOST_BURSTS, SIGNIFICANCE, Flown, fit_changes
 from pyhrg.witness.information import compute_maps_response
 from pyhrg.witness.mechanisms import NAMES, change_device
 from pyhrg.witness.prior import Prior
@@ -88,13 +88,16 @@ class MapEstimate:
                 "share of the stated value)"
             )
         if not self.is_explained:
-            reason = (
-                f"the forces hold what no drifting mechanism makes (p = {self.p_value:.1g})"
-                if self.p_value <= SIGNIFICANCE
-                else "the estimate has not settled"
-            )
-            lines.append(f"{reason}: the log is not followed")
+            lines.append(f"{self._find_reason()}: the log is not followed")
         return "\n".join(lines)
+
+    def _find_reason(self) -> str:
+        """Why the log is not followed."""
+        if self.burst_share > MOST_BURSTS:
+            return "bursts are fewer: forces and pattern angle do not go together"
+        if self.p_value <= SIGNIFICANCE:
+            return f"the forces hold what no drifting mechanism makes (p = {self.p_value:.1g})"
+        return "the estimate has not settled"
 
     def _show(self, now: float, digits: str) -> str:
         """A dash where the log is not followed: nothing was estimated."""

@@ -20,8 +20,10 @@ from pyhrg.records.log import Log
 from pyhrg.witness.design import Motion, stack_signals
 from pyhrg.witness.responses import FORCES, SOAKED_LAG
 
-REQUIRED = ("wave_angle", "amplitude_force", "quadrature_force", "frequency_offset")
+REQUIRED = ("wave_angle", "frequency_offset")
 """Columns without which nothing is estimated."""
+RECORDED_FORCES = ("amplitude_force", "quadrature_force")
+"""Columns of which at least one is needed."""
 STEP = 0.01
 """Communication step, s. Chosen: ten control periods."""
 SMOOTHING = 10.0
@@ -40,7 +42,7 @@ class Witnesses:
         interval: length of a row, s.
         angle: (n + 1,) detected pattern angle at the beginning of the first row and at the end of
             each, rad.
-        forces: (n, 2) amplitude and quadrature force, 1/s.
+        forces: (n, 2) amplitude and quadrature force, 1/s; one that was not recorded is NaN.
         frequency: (n,) offset, rad/s.
         virtual_rotation: (n,) rad/s.
         specific_force: (n, 3) m/s^2.
@@ -70,7 +72,7 @@ class Replay:
     """Simulation of a log by the FMU, compared with the log.
 
     Attributes:
-        residuals: (n, 2) recorded less simulated forces, 1/s.
+        residuals: (n, 2) recorded less simulated forces, 1/s; NaN where none was recorded.
         angle_error: rms of recorded less simulated angles, rad.
         motion: motion of the simulated gyro.
         following: how the next replay is to go, so that angles and frequency agree.
@@ -98,10 +100,10 @@ class Course:
 
 
 def read_witnesses(log: Log, device: Device) -> Witnesses:
-    """The longest stretch of a log without a gap.
+    """The longest stretch of a log without a gap. One of the forces may be missing.
 
     Raises:
-        LogError: a column that is required has no values.
+        LogError: a column that is required, or both forces, have no values.
         HrgError: the stretch is too short, or the gyro was commanded what changes its forces.
     """
     for field, nominal in _list_nominal_commands(device).items():
@@ -111,7 +113,9 @@ def read_witnesses(log: Log, device: Device) -> Witnesses:
             raise HrgError(
                 f"{log.source}: {field}: found {other[0]:g}, expected {nominal:g} in all rows"
             )
-    stretch = max(log.stretches(*REQUIRED), key=lambda each: each.stop - each.start)
+    forces = [name for name in RECORDED_FORCES if log.has_values(name)] or RECORDED_FORCES
+    stretches = log.stretches(*REQUIRED, *forces)
+    stretch = max(stretches, key=lambda each: each.stop - each.start)
     rows = slice(stretch.start + 1, stretch.stop)
     count = rows.stop - rows.start
     if count * log.interval < 2 * SETTLING:

@@ -37,6 +37,7 @@ COMMANDS = {
     "align": "--seconds --seed --imu --trajectory",
     "align log.csv": "--from-s --seconds --latitude-deg --longitude-deg --height-m",
     "parking": "--seed --hours --triads --trajectory",
+    "schedule": "--seed --hours --triads --trajectory",
     "position .": "--hours --triads --seed --mission",
     "predict car --study .": "--fixed --circumference",
     "gap challenge --out out": "--none --single --pairs --outside --weak --strongest --seed "

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
+from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.form import Form
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.linear_test import Group, LinearTest, whiten_rows, whiten_terms
@@ -20,6 +21,9 @@ Sizes = Mapping[Group, Array]
 TestChannel = tuple[str, str]
 """Id of a test, and a channel."""
 
+SAME_FUNCTION_SHARE = 0.1
+"""Share of a candidate term's power below which what an effect leaves of it has no meaning. Chosen:
+terms are approximate shapes."""
 MIN_NORM = 1e-9
 """Norm of a whitened column below which these tests don't see it. Chosen."""
 
@@ -79,6 +83,32 @@ class Design:
         """Half the log determinant of each group's own products."""
         own = {group: self.gram[np.ix_(where, where)] for group, where in self.columns.items()}
         return {g: float(np.linalg.slogdet(gram)[1]) / 2 for g, gram in own.items()}
+
+    @cached_property
+    def namesakes(self) -> dict[Effect, CandidateTerm]:
+        """The candidate term that is the same function as an effect, for each effect that has one:
+        of all terms the one with a direction of which the effect leaves least, and less than
+        `SAME_FUNCTION_SHARE` (1 less the square of the largest canonical correlation)."""
+        by_size: dict[int, list[CandidateTerm]] = {}
+        for group in self.groups:
+            if isinstance(group, CandidateTerm):
+                by_size.setdefault(len(self.columns[group]), []).append(group)
+        closest: dict[Effect, tuple[float, CandidateTerm]] = {}
+        for terms in by_size.values():
+            where = np.array([self.columns[term] for term in terms])
+            own = self.gram[where[:, :, None], where[:, None, :]]
+            inverse = np.linalg.inv(own + MIN_NORM * np.eye(where.shape[1]))
+            for effect in (group for group in self.groups if isinstance(group, Effect)):
+                rows = self.columns[effect]
+                cross = np.moveaxis(self.gram[rows][:, where], 0, 1)
+                shared = np.linalg.solve(self.gram[np.ix_(rows, rows)], cross)
+                products = inverse @ np.swapaxes(cross, 1, 2) @ shared
+                left = 1 - np.linalg.eigvals(products).real.max(axis=1)
+                best = int(np.argmin(left))
+                least = closest.get(effect, (SAME_FUNCTION_SHARE, terms[best]))
+                if left[best] < least[0]:
+                    closest[effect] = float(left[best]), terms[best]
+        return {effect: term for effect, (_, term) in closest.items()}
 
     @property
     def groups(self) -> list[Group]:

@@ -57,9 +57,10 @@ class Form(CandidateTerm):
 
     def bend(self, block: Array, bent: Array) -> Array:
         """(n, d) values of up to about 1, from the (n, d) values of the term's functions, and of
-        what is bent of them."""
+        what is bent of them, which counts up to its reach."""
         if not self.is_multiple:
-            return np.asarray(block / self.largest * polyval(bent / self.reach, self.polynomial))
+            limited = np.clip(bent / self.reach, -1, 1)
+            return np.asarray(block / self.largest * polyval(limited, self.polynomial))
         values = block / self.largest
         length, angle = np.hypot(*values.T), self.degree * np.arctan2(values[:, 1], values[:, 0])
         return np.column_stack([length * np.cos(angle), length * np.sin(angle)])

@@ -53,8 +53,8 @@ UNNAMED_ODDS = 0.05
 """Something outside the catalogue takes part: a candidate term, shared equally among these; the
 same odds for an unnamed noise, shared among its correlation times."""
 HALF_UNNAMED_ODDS = UNNAMED_ODDS / 2
-"""An event that no coordinate predicts takes part. Each of four kinds has these odds: a jump of the
-bias, a step of an angle, a line in the residual, a stretch of other noise."""
+"""An event that no coordinate predicts takes part. Each of five kinds has these odds: a jump of the
+bias, a step of an angle, a line in the residual, a stretch of other noise, noise in spells."""
 
 
 @dataclass(frozen=True)
@@ -85,9 +85,13 @@ class Fit:
 
 
 def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
-    """Fit a set of groups (Eq. (3)); None where some of them are collinear in these tests."""
+    """Fit a set of groups (Eq. (3)); None where some of them are collinear in these tests, or where
+    an effect and a candidate term are the same function: what has a name is not shared with what
+    has none."""
     if not groups:
         return Fit((), 0.0, 0.0, (), ())
+    if any(design.namesakes.get(g) in groups for g in groups if isinstance(g, Effect)):
+        return None
     groups = sorted(groups, key=lambda group: isinstance(group, CandidateTerm))
     ends = list(accumulate(len(design.columns[group]) for group in groups))
     parts = [slice(end - len(design.columns[g]), end) for g, end in zip(groups, ends, strict=True)]

@@ -1,6 +1,7 @@
-"""What a residual shows besides steady white noise: a spectral line, or a stretch of other noise.
+"""What a residual shows besides steady white noise: a spectral line, a stretch of other noise, or
+noise that comes and goes.
 
-No coordinate of a test predicts either of them (docs/methods/evidence.md, Eqs. (16), (17)).
+No coordinate of a test predicts any of them (docs/methods/evidence.md, Eqs. (16) to (17a)).
 """
 
 import math
@@ -10,7 +11,8 @@ from itertools import groupby
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import expit, logsumexp
+from scipy.special import expit, logsumexp, ndtri
+from scipy.stats import rankdata
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
@@ -37,9 +39,15 @@ FREQUENCIES_PER_WIDTH = 2
 """Frequencies that are tried within the width of a line: zero padding of the transform. Chosen."""
 
 
+SPELL_ROWS = (4, 16, 64, 256)
+"""Lengths of spells of louder noise that are looked for, in rows. Chosen."""
+MIN_SPELLS = 4
+"""Spells of such a length that a test must have room for. Chosen."""
+
+
 @dataclass(frozen=True)
 class ResidualFeature:
-    """A line or a stretch of other noise that may be there.
+    """A line, or noise that is not steady, that may be there.
 
     words: what it is and where.
     log_odds: posterior log odds that it is there.
@@ -77,11 +85,11 @@ def compute_checked_residuals(
 
 
 def find_residual_features(residuals: Sequence[Residual]) -> tuple[ResidualFeature, ...]:
-    """The most probable line and the most probable stretch, each with the odds of any, in residuals
+    """The most probable line, stretch and length of spells, each with the odds of any, in residuals
     of all tests and channels. Those of a few rows, and those that are zero throughout, are left
     out."""
     usable = _list_usable(residuals)
-    kinds = [list(_lines(usable)), list(_stretches(usable))]
+    kinds = [list(_lines(usable)), list(_stretches(usable)), list(_spells(usable))]
     return tuple(_combine(alternatives) for alternatives in kinds if alternatives)
 
 
@@ -196,3 +204,33 @@ def _log_evidence_of_level(level: Array, readings: int, information: float) -> A
     gain = n / 2 * (np.exp(2 * log_ratio) - 1 - 2 * log_ratio)
     prior = math.log(2 * math.log(MAX_LEVEL_RATIO))
     return np.asarray(gain + math.log(math.pi / n) / 2 - prior)
+
+
+def _spells(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
+    """Noise whose level varies within all tests of a channel, by the length of its louder spells:
+    squares that are near each other are then alike (Eq. (17a)). Normal scores of their ranks count,
+    so that single large readings do not. The noise of a thermometer, which is white only about, is
+    no such noise."""
+    order = sorted(residuals, key=lambda r: r.channel)
+    for channel, group in groupby(order, key=lambda r: r.channel):
+        alike = [r for r in group if not r.noise.lagged]
+        for length in SPELL_ROWS:
+            own = [r for r in alike if len(r.white) >= MIN_SPELLS * length]
+            if not own:
+                continue
+            products = sum(_sum_products(r.white, length) / (1 + r.model_error) for r in own)
+            pairs = sum(sum(range(len(r.white) - length + 1, len(r.white))) for r in own)
+            score = max(products, 0.0) / math.sqrt(pairs)
+            yield ResidualFeature(
+                f"noise that comes and goes in spells of {length} rows ({CHANNEL_WORDS[channel]})",
+                float(log_evidence(np.array([score**2]), 1)[0]),
+            )
+
+
+def _sum_products(white: Array, length: int) -> float:
+    """Sum of products of the normal scores of the squares' ranks, over all pairs of rows that are
+    nearer than a length."""
+    n = len(white)
+    scores = ndtri((rankdata(white**2) - 0.5) / n)
+    spectrum = np.fft.rfft(scores, 2 * n)
+    return float(np.fft.irfft(np.abs(spectrum) ** 2)[1:length].sum())

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from scipy.signal import savgol_filter
 
 from pyhrg.bench.bench import LOOP_OUTPUTS, OUTPUTS_AT_END, compute_earth_rate, record_rows_together
 from pyhrg.bench.programme import HELD_INPUTS, compute_step_middles, interpolate_rows
@@ -36,6 +37,9 @@ STEP_ROUNDING = 1e-9
 SLOPE_TIME = 10.0
 """Time either way over which the slope of a thermometer's readings is taken, s, but at least a row.
 Chosen: a slope over less would be that of their noise."""
+NOISE_ROWS = 9
+"""Rows through which a parabola is laid to tell a thermometer's noise from the temperature. Chosen:
+odd; it keeps three quarters of the noise, and next to nothing of the corner of a ramp."""
 STEADY_RATIO = 2.0
 """An input whose spread is below this many of its instrument's noise is constant. Chosen."""
 
@@ -228,6 +232,15 @@ def correct_temperatures(device: Device, inputs: ReplayInputs) -> Array:
     reference = device.reference_temperature
     change = readings - device.thermometer_offset - reference
     return np.asarray(reference + change / (1 + device.thermometer_gain))
+
+
+def estimate_thermometer_noise(device: Device, inputs: ReplayInputs) -> Array:
+    """(n,) noise of these temperatures at the rows' ends, K: their departure from parabolas
+    through the nearest `NOISE_ROWS` (A. Savitzky, M. J. E. Golay, Anal. Chem. 36 (1964))."""
+    temperatures = correct_temperatures(device, inputs)
+    if len(temperatures) < NOISE_ROWS:
+        return np.zeros(len(temperatures) - 1)
+    return np.asarray(temperatures - savgol_filter(temperatures, NOISE_ROWS, 2))[1:]
 
 
 def _find_slopes(readings: Array, interval: float) -> Array:

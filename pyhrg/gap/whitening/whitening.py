@@ -146,18 +146,21 @@ def whiten(
     """Normalised innovations of each column of (n, p) series under one noise model.
 
     All slow terms start at zero with the first of the (n,) steps, s, except that flicker and
-    correlated noise of the rate start in their stationary state. `unmodelled` is the (n,) shape of
-    a term that the simulation lacks: a multiple of it with standard deviation 1 counts as noise
+    correlated noise of the rate start in their stationary state. `unmodelled` are (n,) or (n, m)
+    shapes that the simulation lacks: a multiple of each with standard deviation 1 counts as noise
     (docs/methods/whitening.md, Eqs. 11 and 12).
     """
     if unmodelled is None or not unmodelled.any():
         return _whiten_by_filter(series, steps, noise)
     both = _whiten_by_filter(np.column_stack([series, unmodelled]), steps, noise)
-    shape = both.series[:, -1]
-    power = float(shape @ shape)
-    removed = (1 - 1 / np.sqrt(1 + power)) / power
-    white = both.series[:, :-1] - removed * np.outer(shape, shape @ both.series[:, :-1])
-    return WhitenedSeries(white, both.log_determinant + float(np.log1p(power)))
+    white, log_determinant = both.series, both.log_determinant
+    while white.shape[1] > series.shape[1]:
+        shape, white = white[:, -1], white[:, :-1]
+        if power := float(shape @ shape):
+            removed = (1 - 1 / np.sqrt(1 + power)) / power
+            white = white - removed * np.outer(shape, shape @ white)
+            log_determinant += float(np.log1p(power))
+    return WhitenedSeries(white, log_determinant)
 
 
 def _whiten_by_filter(series: Array, steps: Array, noise: NoiseModel) -> WhitenedSeries:

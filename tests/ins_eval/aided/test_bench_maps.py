@@ -11,12 +11,12 @@ import ins_eval
 from ins_eval.aided.bench_maps import (
     TOGETHER,
     choose_bench_maps,
-    read_bench_map,
     take_bench_maps,
 )
 from ins_eval.aided.kalman.backward import Adjoint, smooth
 from ins_eval.aided.kalman.sensors import SensorStates
 from ins_eval.error_model.effects import gyro_bias
+from ins_eval.mission_model.bench_map import read_bench_map
 from ins_eval.mission_model.gyro_map import TERMS
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG_PER_H, PPM

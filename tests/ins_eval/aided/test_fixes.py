@@ -1,5 +1,6 @@
 """Fixes from files: what is read, and what is refused."""
 
+import zlib
 from pathlib import Path
 
 import numpy as np
@@ -63,3 +64,48 @@ def test_text_of_kf_gins_is_read(tmp_path: Path) -> None:
         read_fixes(write(tmp_path, rows[0], [rows[1], rows[2].replace("30.44", "3044"), *rows[3:]]))
     with pytest.raises(HrgError, match="row 2: found 6 fields, expected 7"):
         read_fixes(write(tmp_path, rows[0], [rows[1].replace("0.9", ""), *rows[2:]]))
+
+
+def make_message(body: str, seconds: float, week: int = 2163, name: str = "BESTGNSSPOSA") -> str:
+    header = f"{name},COM1,0,83.5,FINESTEERING,{week},{seconds:.3f},02400000,b1f6,65535"
+    message = f"{header};{body}"
+    return f"#{message}*{zlib.crc32(message.encode(), 0xFFFFFFFF) ^ 0xFFFFFFFF:08x}"
+
+
+SOLVED = 'SOL_COMPUTED,SINGLE,51.15,-114.03,1097.6,-17.0,WGS84,1.3,1.5,3.1,"",0.0,0.0,18'
+PUBLISHED = (
+    "#BESTPOSA,COM1,0,83.5,FINESTEERING,2163,329760.000,02400000,b1f6,65535;SOL_COMPUTED,SINGLE,"
+    "51.15043874397,-114.03066788586,1097.6822,-17.0000,WGS84,1.3648,1.1806,3.1112,"
+    '"",0.000,0.000,18,18,18,0,00,02,11,01*c3194e35'
+)
+"""Example of NovAtel's reference of commands and logs."""
+
+
+def test_messages_of_novatel_are_read(tmp_path: Path) -> None:
+    """Over the end of a week; others, unsolved ones and those of the receiver's INS aside. The
+    height is above the ellipsoid."""
+    rows = [make_message(SOLVED, 604780.0 + t) for t in range(20)]
+    rows += [make_message(SOLVED, float(t), week=2164) for t in range(20)]
+    rows.insert(5, make_message(SOLVED.replace("SOL_COMPUTED,SINGLE", "COLD_START,NONE"), 604784.5))
+    rows.insert(9, make_message(SOLVED.replace("SINGLE", "INS_PSRSP"), 604787.5))
+    fixes = read_fixes(write(tmp_path, PUBLISHED, rows))
+    np.testing.assert_allclose(fixes.time, 604780.0 + np.arange(40))
+    np.testing.assert_allclose(fixes.position[0], [np.deg2rad(51.15), np.deg2rad(-114.03), 1080.6])
+    level = np.sqrt((1.3**2 + 1.5**2) / 2)
+    np.testing.assert_allclose(fixes.position_sigma[0], [level, level, 3.1])
+
+
+@pytest.mark.parametrize(
+    ("rows", "message"),
+    [
+        ([PUBLISHED], "found 1 positions, expected at least 30"),
+        ([PUBLISHED, PUBLISHED.replace("1097", "1098")], "row 2: found checksum 'c3194e35'"),
+        ([make_message("0.1", 1.0, name="INSPVAA")], "found INSPVAA, expected one of BESTGNSS"),
+        ([make_message("SOL_COMPUTED", 1.0)], "row 1: found too few fields"),
+        ([make_message(SOLVED.replace("-17.0", "x"), 1.0)], "expected week, seconds and heights"),
+        ([make_message(SOLVED.replace("51.15", "151.15"), 1.0)], "row 1, latitude_deg: found 151"),
+    ],
+)
+def test_bad_messages_are_refused(tmp_path: Path, rows: list[str], message: str) -> None:
+    with pytest.raises(HrgError, match=message):
+        read_fixes(write(tmp_path, rows[0], rows[1:]))

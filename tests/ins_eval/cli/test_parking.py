@@ -37,9 +37,7 @@ def made_up(triads: int, seed: int, mission: Mission) -> Comparison:
 
 @pytest.fixture
 def _no_flights(monkeypatch: pytest.MonkeyPatch) -> None:
-    def compare(
-        fmu: Path, mission: Mission, weights: object, triads: int, seed: int, **kwargs: Any
-    ) -> Comparison:
+    def compare(fmu: Path, mission: Mission, triads: int, seed: int, **kwargs: Any) -> Comparison:
         return made_up(triads, seed, mission)
 
     monkeypatch.setattr(parking, "compare", compare)

@@ -5,9 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from ins_eval.mission_model.mission_weights import MissionWeights
-from ins_eval.mission_model.missions import STILL, plan_mission
-from ins_eval.mission_model.weights_cache import load_mission_weights
+from ins_eval.mission_model.missions import STILL
 from ins_eval.parking.gyro import ANGLES, CASES, Known, Start, measure_maps
 from ins_eval.parking.mission import INTERVAL
 from ins_eval.parking.study import Comparison, compare, compare_with_first_case
@@ -24,22 +22,16 @@ NAMES = [case.name for case in CASES]
 
 
 @pytest.fixture(scope="module")
-def weights() -> MissionWeights:
-    """Weights of the same mission."""
-    return load_mission_weights(plan_mission("car", 0.1))
-
-
-@pytest.fixture(scope="module")
-def typical(fmu_path: Path, weights: MissionWeights) -> Comparison:
+def typical(fmu_path: Path) -> Comparison:
     """Six triads, 0.1 h, seed 2."""
-    return compare(fmu_path, short_mission(0.1), weights, 6, 2, plan=SHORTEST)
+    return compare(fmu_path, short_mission(0.1), 6, 2, plan=SHORTEST)
 
 
 def test_same_seed_same_result_on_any_number_of_workers(
-    fmu_path: Path, weights: MissionWeights, typical: Comparison
+    fmu_path: Path, typical: Comparison
 ) -> None:
     """The first triad of the six, by itself."""
-    again = compare(fmu_path, short_mission(0.1), weights, 1, 2, plan=SHORTEST, workers=1)
+    again = compare(fmu_path, short_mission(0.1), 1, 2, plan=SHORTEST, workers=1)
     for name in ("radial", "heading", "ready", "start_up"):
         assert np.array_equal(getattr(again, name), getattr(typical, name)[:, :1]), name
 
@@ -48,16 +40,16 @@ def test_knowing_more_buys_more(typical: Comparison) -> None:
     """Every case's interval lies below the first case's, and whole maps are best."""
     found = dict(zip(NAMES, compare_with_first_case(typical.final), strict=True))
     assert found["random_mean"].value == 1
-    for name in ("random_at_start", "flat_at_start", "scheduled_at_start", "map"):
+    for name in ("random_at_start", "flat_at_start", "map"):
         assert found[name].high < 1, name
     assert found["flat_at_start"].value < found["zero_mean"].value
     assert found["map"].value == min(ratio.value for ratio in found.values())
 
 
-def test_without_anisotropy_parking_buys_nothing(fmu_path: Path, weights: MissionWeights) -> None:
+def test_without_anisotropy_parking_buys_nothing(fmu_path: Path) -> None:
     """Negative control, seed 2: the map is the calibration's noise."""
     device = TYPICAL.without_anisotropy()
-    result = compare(fmu_path, short_mission(0.1), weights, 4, 2, device=device, plan=SHORTEST)
+    result = compare(fmu_path, short_mission(0.1), 4, 2, device=device, plan=SHORTEST)
     parked = compare_with_first_case(result.final)[NAMES.index("zero_mean")]
     assert parked.low <= 1 <= parked.high
 

@@ -70,6 +70,7 @@ def test_the_front_doors_load_nothing_heavy() -> None:
         ["nav", "--out", "file/out"],
         ["align", "--out", "file/out"],
         ["parking", "--out", "file/out"],
+        ["schedule", "--out", "file/out"],
     ],
     ids=lambda arguments: " ".join(arguments[:2]),
 )

@@ -106,8 +106,9 @@ def test_bursts_do_no_harm(
         lambda log: log.amplitude_force + 3e-7 * np.sin(2 * np.pi * log.time / 200),
         lambda log: 60 * log.amplitude_force,
         lambda log: np.minimum(log.amplitude_force, np.median(log.amplitude_force)),
+        lambda log: np.interp(log.time - 0.1, log.time, log.amplitude_force),
     ],
-    ids=["what no mechanism makes", "another unit", "saturated"],
+    ids=["what no mechanism makes", "another unit", "saturated", "0.1 s late"],
 )
 def test_what_the_states_do_not_make_is_not_followed(
     flights: list[Flight], spoil: Callable[[Log], Array]
@@ -131,10 +132,30 @@ def test_what_has_not_settled_is_not_followed(
     assert "has not settled: the log is not followed" in found.summary
 
 
-def test_a_log_without_a_channel_is_refused(flights: list[Flight]) -> None:
+def test_one_force_may_be_missing(
+    fmu: GyroFmu, slow_fmu: GyroFmu, flights: list[Flight], responses: Responses
+) -> None:
+    """Without the quadrature force the changes are as true as they say, and less is known."""
+    log = replace(flights[0].log, quadrature_force=np.full_like(flights[0].log.time, np.nan))
+    (found,) = fit(fmu, slow_fmu, [log], responses)
+    sigma, both = (np.sqrt(np.diag(x.covariance))[DRIFTS] for x in (found, flights[0].fitted))
+    assert found.is_explained
+    assert np.all(np.abs(found.changes - flights[0].changes)[DRIFTS] < 4 * sigma)
+    assert np.all(sigma > (1 - 1e-6) * both)
+    assert np.any(sigma > 1.0001 * both)
+
+
+@pytest.mark.parametrize(
+    "missing",
+    [("amplitude_force", "quadrature_force"), ("frequency_offset",), ("wave_angle",)],
+    ids=lambda missing: missing[0],
+)
+def test_a_log_without_a_channel_is_refused(
+    flights: list[Flight], missing: tuple[str, ...]
+) -> None:
     log = flights[0].log
-    without = replace(log, amplitude_force=np.full_like(log.time, np.nan))
-    with pytest.raises(HrgError, match="amplitude_force"):
+    without = replace(log, **{name: np.full_like(log.time, np.nan) for name in missing})
+    with pytest.raises(HrgError, match=missing[-1]):
         pyhrg.estimate_map(without, GYRO, PRIOR)
 
 

@@ -93,6 +93,13 @@ def _express(function: str) -> tuple[Basis, ...]:
     return ()
 
 
+def express_second(term: CandidateTerm) -> Basis:
+    """Basis function of the second function of a product."""
+    words = term.second.removeprefix("the ")
+    (basis,) = _express(FIRST_POWERS.get(words, words))
+    return basis
+
+
 def _count_from_start(bases: tuple[Basis, ...]) -> tuple[Basis, ...]:
     """Cosine and sine of the table angle less their values at its start, which is 0."""
     cosine, sine = bases
@@ -148,7 +155,7 @@ def _rate_power(words: str) -> int:
 def _multiply(match: Match) -> tuple[Basis, ...]:
     """Basis functions times that of a second function."""
     words = FIRST_POWERS.get(match[3], match[3])
-    (second,) = _express((match[2] or "") + words)
+    (second,) = _express((match[2] or "") + words + (match[4] or ""))
     return tuple(
         Basis(
             f"{first.stem}_{second.stem}",
@@ -170,21 +177,24 @@ def _product(match: Match) -> tuple[Basis, ...]:
     return (Basis(stem, expression, expression, _TENTH**2, "m2_s4", uses),)
 
 
-def _raise(basis: Basis, power: int) -> Basis:
-    """A power of a basis function."""
-    product = "*".join([basis.modelica] * power)  # of powers, the C generator takes squares alone
+def _raise(basis: Basis, power: int, bound: str) -> Basis:
+    """A power of a basis function up to a bound of its magnitude, beyond which it grows in
+    proportion."""
+    f = f"({basis.modelica})"
+    limited = f"((abs({f} + {bound}) - abs({f} - {bound}))/2)"
+    product = "*".join([f, *[limited] * (power - 1)])
     per = re.sub(r"([A-Za-z]+)(\d*)", lambda m: f"{m[1]}{int(m[2] or 1) * power}", basis.per)
-    stem, text = f"{basis.stem}_power{power}", f"({basis.text})^{power}"
+    stem, text = f"{basis.stem}_power{power}", f"({basis.text})^{power} [to {bound}]"
     return Basis(stem, text, product, basis.scale**power, per, basis.uses)
 
 
 def _raise_function(match: Match) -> tuple[Basis, ...]:
-    return tuple(_raise(basis, int(match[1])) for basis in _express(match[2]))
+    return tuple(_raise(basis, int(match[1]), match[3]) for basis in _express(match[2]))
 
 
 _FORMS: tuple[tuple[str, Callable[[Match], tuple[Basis, ...]]], ...] = (
-    (r"(.*), times (power \d of )?(?:the )?(.*)", _multiply),
-    (r"power (\d) of (.*)", _raise_function),
+    (r"(.*), times (power \d of )?(?:the )?(.*?)( to \S*)?", _multiply),
+    (r"power (\d) of (.*) to (\S*)", _raise_function),
     ("mean over the pattern angle", lambda m: (Basis("mean", "1", "1", 1.0, "", ()),)),
     (r"harmonic (\d+) of the pattern angle", lambda m: _angle(PATTERN, int(m[1]))),
     (r"harmonic (\d+) of a period of (.*) s", lambda m: _cycle(int(m[1]), m[2])),

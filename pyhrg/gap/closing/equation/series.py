@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.gap.closing.equation.forms import express_term
+from pyhrg.gap.closing.equation.forms import express_second, express_term
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import select_groups
@@ -130,8 +130,10 @@ def expand_form(form: Form) -> Iterator[tuple[CandidateTerm, float]]:
 
 
 def _raise_words(form: Form, power: int) -> str:
-    """A form's function with a power of what is bent."""
+    """A form's function with a power of what is bent, up to the largest value of this that the
+    tests have, in the unit of its basis function."""
     if power == 1:
         return form.function
     before, separator, function = form.function.rpartition(", times " if form.second else ": ")
-    return f"{before}{separator}power {power} of {function}"
+    (basis,) = (express_second(form.term),) if form.second else express_term(form.term)
+    return f"{before}{separator}power {power} of {function} to {form.reach / basis.scale:.6g}"

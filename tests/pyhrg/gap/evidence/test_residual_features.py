@@ -1,4 +1,5 @@
-"""Lines and stretches of other noise are found in residuals; steady noise has neither."""
+"""Lines, stretches of other noise and noise in spells are found in residuals; steady noise has none
+of them."""
 
 import re
 
@@ -17,13 +18,13 @@ from pyhrg.gap.whitening.whitening import NoiseModel
 ROWS = 4000
 TESTS = 6
 WHITE = NoiseModel(1.0)
-KINDS = ("line", "stretch")
+KINDS = ("line", "stretch", "spells")
 
 
 def found(
     series: list[Array], noise: NoiseModel = WHITE, wrong: float = 0.0
 ) -> list[ResidualFeature]:
-    """A line and a stretch, in tests of 1 s a row."""
+    """A line, a stretch and spells, in tests of 1 s a row."""
     return list(find_residual_features(rest(series, noise, wrong)))
 
 
@@ -58,7 +59,7 @@ def test_a_line_is_found_whatever_its_phase_in_each_test() -> None:
     time = np.arange(ROWS)
     size = 10 * np.sqrt(2 / (ROWS * TESTS))
     series = [x + size * np.sin(2 * np.pi * (time / 17.3 + generator.random())) for x in steady(4)]
-    line, stretch = found(series)
+    line, stretch, _ = found(series)
     assert line.log_odds > 5
     match = re.fullmatch(r"periodic in (.*) s in 6 tests \(output angle\)", line.words)
     assert match
@@ -104,10 +105,26 @@ def test_an_offset_in_a_short_test_is_no_line() -> None:
     assert found(series)[0].log_odds < 0
 
 
+@pytest.mark.parametrize("length", [10, 100])
+def test_noise_that_comes_and_goes_is_found(length: int) -> None:
+    """Spells of twice the noise, a tenth of the time, of which no stretch stands out."""
+    generator, series = np.random.default_rng(12), steady(13)
+    for x in series:
+        for begin in generator.integers(0, ROWS, ROWS // (10 * length)):
+            x[begin : begin + length] *= 2
+    line, stretch, spells = found(series)
+    assert line.log_odds < 0
+    assert stretch.log_odds < spells.log_odds - 10
+    match = re.fullmatch(r"noise that comes and goes in spells of (.*) rows.*", spells.words)
+    assert match
+    assert length / 4 < int(match[1]) < 4 * length
+    assert found(series, wrong=100.0)[2].log_odds < 0
+
+
 def test_a_loud_stretch_is_no_line() -> None:
     series = steady(10)
     series[0][:500] *= 6
-    line, stretch = found(series)
+    line, stretch, _ = found(series)
     assert line.log_odds < 0 < 50 < stretch.log_odds
 
 
@@ -123,7 +140,7 @@ def test_steady_noise_with_heavy_tails_is_steady() -> None:
 def test_a_stretch_is_found_where_it_is(factor: float) -> None:
     series = steady(7)
     series[2][1000:1500] *= factor
-    line, stretch = found(series)
+    line, stretch, _ = found(series)
     assert stretch.log_odds > 10
     assert stretch.words.startswith("noise of its own in t2 from 1")
     assert line.log_odds < 0
@@ -134,7 +151,7 @@ def test_a_stretch_of_wandering_noise_is_found_over_more_rows() -> None:
     series = steady(8)
     series[3][2000:] += 0.2 * np.cumsum(np.random.default_rng(9).standard_normal(2000))
     noise = NoiseModel(1.0, angle_random_walk=0.02)
-    _, stretch = found(series, noise)
+    _, stretch, _ = found(series, noise)
     assert stretch.log_odds > 10
     assert "in t3" in stretch.words
 
@@ -173,5 +190,5 @@ def test_short_tests_are_searched_too(rows: int, size: float) -> None:
     values = 1.0 + size * np.random.default_rng(14).standard_normal(rows)
     steps = np.ones(rows)
     both = find_residual_features([Residual("t", "amplitude", values - size, steps, 1.0, WHITE)])
-    assert len(both) == 2
+    assert len(both) == 3
     assert all(np.isfinite(one.log_odds) for one in both)

@@ -50,6 +50,26 @@ def test_a_swarm_of_effects_does_not_keep_a_term_out() -> None:
     assert rank_sets(design_of({**columns, term: column}, residual)).best.groups == (term,)
 
 
+def test_an_effect_never_shares_its_function_with_a_term() -> None:
+    """Together they explain more than either: the effect's column is noisier than the term's, and
+    the residual bends a little. The best set has the effect alone, and no set has both; another
+    function of the term's coordinate may stand beside the effect."""
+    generator = np.random.default_rng(4)
+    effect, time = DETERMINISTIC[0], np.linspace(-1, 1, ROWS)[:, None]
+    same, other = (CandidateTerm("gyro_angle", "time", f"bias: power {p}") for p in (1, 3))
+    columns = {
+        effect: time + 0.1 * generator.standard_normal((ROWS, effect.size)),
+        same: time + 0.1 * time**2,
+        other: time**3,
+    }
+    residual = 5 * (columns[effect][:, 0] + 0.2 * time[:, 0] ** 2)
+    ranking = rank_sets(design_of(columns, residual + generator.standard_normal(ROWS)))
+    assert ranking.best.groups == (effect,)
+    assert not any({effect, same} <= set(fitted.groups) for fitted in ranking.fits)
+    bent = residual + 2 * time[:, 0] ** 3 + generator.standard_normal(ROWS)
+    assert set(rank_sets(design_of(columns, bent)).best.groups) == {effect, other}
+
+
 def test_required_groups_are_in_every_set() -> None:
     one, other = DETERMINISTIC[:2]
     columns = np.random.default_rng(1).standard_normal((100, 2))

@@ -10,7 +10,11 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.instruments import estimate_reading_steps, estimate_toggling_step
 from pyhrg.gap.replay.observations import CHANNELS, observe_test
-from pyhrg.gap.replay.replay import correct_temperatures, prepare_inputs
+from pyhrg.gap.replay.replay import (
+    correct_temperatures,
+    estimate_thermometer_noise,
+    prepare_inputs,
+)
 from pyhrg.gap.whitening.channel_noise import estimate_campaign_noise
 from pyhrg.records.campaign import Test
 from tests.pyhrg.records.made_up import made_up_log
@@ -91,6 +95,20 @@ def test_noise_shakes_readings_from_step_to_step() -> None:
     assert rounding is not None
     level = rounding.level / noise.per_kelvin["amplitude_force"]
     assert max(np.abs(means)) < level < 0.05 * step
+
+
+def test_noise_of_the_readings_is_told_from_a_ramp() -> None:
+    """It keeps three quarters of its variance; of the ramp's corners next to nothing stays."""
+    device = Device()
+
+    def estimate(noise: Array) -> Array:
+        log = replace(made_up_log(ROWS), temperature=TRUE + noise)
+        return estimate_thermometer_noise(device, prepare_inputs(log, device))
+
+    white = NOISE * np.random.default_rng(3).normal(size=ROWS)
+    noisy, smooth = estimate(white), estimate(np.zeros(ROWS))
+    assert noisy @ white / (white @ white) == pytest.approx(1 - 177 / 693, rel=0.05)
+    assert np.std(smooth) < 0.1 * NOISE
 
 
 def test_a_lag_of_the_readings_is_undone() -> None:

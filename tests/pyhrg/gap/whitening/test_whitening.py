@@ -82,11 +82,12 @@ def test_the_filter_agrees_with_the_dense_covariance(noise: NoiseModel, times: A
 
 
 @pytest.mark.parametrize("noise", NOISES, ids=str)
-def test_an_unmodelled_term_adds_to_the_covariance(noise: NoiseModel) -> None:
+def test_unmodelled_terms_add_to_the_covariance(noise: NoiseModel) -> None:
     generator = np.random.default_rng(2)
-    series, shape = generator.normal(size=(len(UNEVEN), 2)), generator.normal(size=len(UNEVEN))
-    white = whiten(series, np.diff(UNEVEN, prepend=0.0), noise, shape)
-    factor = cholesky(covariance(UNEVEN, noise) + np.outer(shape, shape), lower=True)
+    series, shapes = generator.normal(size=(2, len(UNEVEN), 2))
+    shapes = np.column_stack([shapes, np.zeros(len(UNEVEN))])
+    white = whiten(series, np.diff(UNEVEN, prepend=0.0), noise, shapes)
+    factor = cholesky(covariance(UNEVEN, noise) + shapes @ shapes.T, lower=True)
     assert white.log_determinant == pytest.approx(2 * np.log(np.diag(factor)).sum(), rel=1e-8)
     products = series.T @ cho_solve((factor, True), series)
     np.testing.assert_allclose(white.series.T @ white.series, products, rtol=1e-6)

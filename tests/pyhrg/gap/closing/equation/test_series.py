@@ -8,7 +8,8 @@ from pyhrg.gap.closing.equation.series import expand_form
 from pyhrg.gap.effects.coordinates import make_harmonic
 from pyhrg.gap.effects.form import Form
 
-WARMTH = np.linspace(-20.0, 30.0, 11)
+WARMTH = np.linspace(-40.0, 60.0, 21)
+"""K; twice as wide as the tests' own range in these forms."""
 ANGLE = np.linspace(0.0, 2.0, 11)
 
 

@@ -1,0 +1,1 @@
+"""Motions of a triad that are chosen by its gyros' maps."""

@@ -36,7 +36,7 @@ class MissionResponse:
 
 
 def compute_mission_response(mission: StudyMission) -> MissionResponse:
-    """Response of a mission's position error; takes some seconds for two hours."""
+    """Response of a mission's position error."""
     trajectory = mission.trajectory()
     settling, aligning = round(SETTLING / STEP), round((STILL - SETTLING) / STEP)
     spacing, steps = round(mission.interval / STEP), round(mission.hours * HOUR / STEP)

@@ -12,6 +12,6 @@ equation
   tick = clock and noEvent(count < 0.5);
   annotation (Documentation(info="<html>
 <p>Two samples of different periods, <code>sample(0, T)</code> and <code>sample(0, 200 T)</code>, are at instants of their own: a product or a sum of floating-point
-numbers may round either before the other. Counted, the slow tick is one of the fast ones.</p>
+numbers may round either before the other. Counted, the slow tick is one of the fast ones. Samples of one period are at the same instants anyway.</p>
 </html>"));
 end ClockDivider;

@@ -40,14 +40,12 @@ model HRGEnvelope "Whole-angle hemispherical resonator gyro: complex envelope, e
     annotation (Placement(transformation(extent = {{-150, -60}, {-110, -20}})));
   replaceable Controls.Controller controller(
     samplePeriod = samplePeriod,
-    tick = tick,
     startAngle = startAngle,
     startForce = startAmplitude/resonator.material.decayTime,
     frequency = resonator.material.frequency,
     authority = drive.authority) "Control electronics; redeclared, a controller of one's own closes the loops"
     constrainedby Interfaces.PartialElectronics(
     samplePeriod = samplePeriod,
-    tick = tick,
     startAngle = startAngle,
     startForce = startAmplitude/resonator.material.decayTime,
     frequency = resonator.material.frequency,

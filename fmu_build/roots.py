@@ -66,6 +66,13 @@ PARTS = {
     root.identifier: root
     for root in (
         Root(
+            "HRGSelfCorrecting",
+            "HRG.Gyroscopes.HRGSelfCorrecting",
+            "Whole-angle hemispherical resonator gyro that corrects the change of its bias map",
+            "runge_kutta_4",
+            "0.01",
+        ),
+        Root(
             "HRGPlant",
             "HRG.Gyroscopes.HRGPlant",
             "Resonator, pick-offs and drives of a hemispherical resonator gyro",
@@ -95,4 +102,5 @@ PARTS = {
         ),
     )
 }
-"""The parts of a gyro, and those of a system that are no gyro."""
+"""The gyro with electronics that correct its map, its parts, and those of a system that are no
+gyro."""

@@ -13,6 +13,7 @@ from .records.campaign import Campaign, read_campaign, write_campaign
 from .records.campaign_import import ImportedCampaign, import_campaign
 from .records.log import Log, read_log, write_log
 from .witness.estimate import MapEstimate, estimate_map
+from .witness.estimator import prepare_estimator
 from .witness.prior import make_drift_prior
 
 __all__ = [
@@ -33,6 +34,7 @@ __all__ = [
     "load_device",
     "make_drift_prior",
     "predict",
+    "prepare_estimator",
     "read_campaign",
     "read_diagnosis",
     "read_log",

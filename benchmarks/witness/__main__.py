@@ -11,6 +11,9 @@ flown [CALIBRATION FOLDER TRIADS HOURS FIRST]
                            scores of flights on the FMU at 1 kHz, after each triad; those in FOLDER
                            (witness-flown) are not flown again
 benched [GYROS]            NEES of estimates with an error of the bench, and of their maps
+electronics [FLIGHTS MINUTES]
+                           bias maps that the estimator in the electronics corrects, of gyros that
+                           drifted or did not, with and without a self-test, beside the log's
 outside                    the estimate where something changed that its prior holds for constant
 """
 
@@ -21,7 +24,8 @@ import numpy as np
 import pandas as pd
 from scipy.stats import chi2
 
-from benchmarks.witness import benched, bounds, flown, outside, study
+from benchmarks.witness import benched, bounds, electronics, flown, outside, study
+from fmu_build.bundle import build_fmu
 from ins_eval.study.experiment import load_fmu
 from ins_eval.study.gyros.drawn_triad import (
     TriadDistribution,
@@ -33,10 +37,11 @@ from ins_eval.study.gyros.population import RAW, TRIMMED
 from ins_eval.study.witness.judge import list_figures, score_witnesses
 from ins_eval.study.witness.self_test import HALF_PERIOD, ROTATION
 from pyhrg.common.units import DEG, DEG_PER_H
+from pyhrg.fmu import GyroFmu
 from pyhrg.witness.design import Motion, stack_signals
 from pyhrg.witness.mechanisms import NAMES
 
-GYROS, TRAINING, JUDGED, FLOWN, BENCHED = 24, 60, 80, 20, 16
+GYROS, TRAINING, JUDGED, FLOWN, BENCHED, ELECTRONICS = 24, 60, 80, 20, 16, 12
 FIRST_JUDGED = 100
 """Number of the first judged triad, as in `hrg study standard`."""
 STUDY_SEED = 1
@@ -139,6 +144,23 @@ def print_benched(count: int) -> None:
         )
 
 
+def print_electronics(flights: int, minutes: int) -> None:
+    print("rms bias map, mdeg/h: change; left by the electronics, the log, another gyro's; sigma")
+    fmus = load_fmu("HRG"), load_fmu("HRGSlow"), GyroFmu(build_fmu("HRGSelfCorrecting"))
+    for self_test in (True, False):
+        for drifts in (True, False):
+            found = list(
+                electronics.correct_flights(
+                    fmus, flights, 60.0 * minutes, self_test=self_test, drifts=drifts
+                )
+            )
+            row = "".join(f"{value:8.2f}" for value in electronics.list_figures(found))
+            print(f"self-test {self_test!s:6s} drift {drifts!s:6s}{row}", flush=True)
+            if drifts:
+                low, high = electronics.bootstrap_ratio(found)
+                print(f"    left over change, 95 % interval: {low:.2f} to {high:.2f}", flush=True)
+
+
 def print_outside() -> None:
     print("rms error of the bias map, mdeg/h: with the log, without it; ratios; followed")
     ratios = []
@@ -168,6 +190,8 @@ if __name__ == "__main__":
         print_flown(calibration, folder, *(numbers + [FLOWN, 2, FIRST_JUDGED][len(numbers) :]))
     elif command == "benched":
         print_benched(*(numbers or [BENCHED]))
+    elif command == "electronics":
+        print_electronics(*(numbers or [ELECTRONICS, 20]))
     elif command == "outside":
         print_outside()
     else:

@@ -15,8 +15,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--model",
         choices=(*fmu_build.ROOTS, *fmu_build.PARTS),
         default="HRG",
-        help="the gyro at 1 kHz, at its carrier, or with quasi-steady loops; its resonator or its "
-        "electronics alone; the navigator, or its accelerometers",
+        help="the gyro at 1 kHz, at its carrier, or with quasi-steady loops; with electronics that "
+        "correct its bias map; its resonator or its electronics alone; the navigator, or its "
+        "accelerometers",
     )
     parser.add_argument(
         "--class",

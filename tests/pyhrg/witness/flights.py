@@ -1,6 +1,7 @@
 """Logs of gyros that drifted since their calibration, from the FMU at 1 kHz with its noise."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -90,27 +91,12 @@ def fly(
 ) -> Log:
     """The log of a flight of a warming gyro, s, whose input axis points down."""
     time = np.arange(0.0, duration, INTERVAL)
-    steps = round(INTERVAL / CONTROL_PERIOD)
-    inner = time[:, None] + INTERVAL / steps * (np.arange(steps) + 0.5)
-    rotation = rotate_virtually(time) if self_test else np.zeros_like(time)
-    weight = np.full(len(time), -STANDARD_GRAVITY)
-    moving = {
-        "angularRate": np.where(inner < 120, 0.0, weave(inner)) + 7e-5,
-        "caseTemperature": device.reference_temperature + RISE * (1 - np.exp(-inner / 300)),
-    }
-    with fmu.power_on(device.fmu_parameters(), seed, 0.4 + 0.1 * seed) as gyro:
-        ends, means = gyro.record(
-            moving,
-            {"virtualRotation": rotation, "accelerationZ": weight},
-            INTERVAL / steps,
-            ["gyroAngle", "patternAngle"],
-            FORCES,
-        )
+    ends, means, held = record_flight(fmu, device, time, seed, self_test=self_test)
     missing = {c.field: np.full(len(time), np.nan) for c in COLUMNS}
     recorded = {
         "time": time + INTERVAL,
-        "virtual_rotation": rotation,
-        "acceleration_z": weight,
+        "virtual_rotation": held["virtualRotation"],
+        "acceleration_z": held["accelerationZ"],
         "gyro_angle": ends[:, 0],
         "wave_angle": ends[:, 1],
         "amplitude_force": means[:, 0],
@@ -118,6 +104,34 @@ def fly(
         "frequency_offset": means[:, 2],
     }
     return Log(source="flight", interval=INTERVAL, **{**missing, **recorded})
+
+
+def record_flight(
+    fmu: GyroFmu,
+    device: Device,
+    time: Array,
+    seed: int,
+    ends: Sequence[str] = (),
+    *,
+    self_test: bool = False,
+) -> tuple[Array, Array, dict[str, Array]]:
+    """Rows of a flight: (n, 2 + e) angles of gyro and pattern and other variables at their ends,
+    (n, 3) means of `FORCES`, and (n,) held inputs by name. time: (n,) of their beginnings, s."""
+    steps = round(INTERVAL / CONTROL_PERIOD)
+    inner = time[:, None] + INTERVAL / steps * (np.arange(steps) + 0.5)
+    held = {
+        "virtualRotation": rotate_virtually(time) if self_test else np.zeros_like(time),
+        "accelerationZ": np.full(len(time), -STANDARD_GRAVITY),
+    }
+    moving = {
+        "angularRate": np.where(inner < 120, 0.0, weave(inner)) + 7e-5,
+        "caseTemperature": device.reference_temperature + RISE * (1 - np.exp(-inner / 300)),
+    }
+    with fmu.power_on(device.fmu_parameters(), seed, 0.4 + 0.1 * seed) as gyro:
+        rows, means = gyro.record(
+            moving, held, INTERVAL / steps, ["gyroAngle", "patternAngle", *ends], FORCES
+        )
+    return rows, means, held
 
 
 def burst(log: Log, generator: np.random.Generator, first: float, last: float) -> Log:

@@ -22,11 +22,11 @@ block QuasisteadyController "Control electronics whose loops follow at once"
     modalAngle = modalAngle,
     axes = axes,
     coupling = coupling,
-    analogue = analogue,
+    analogue = demodulation.settled,
     driveGain = driveGain,
     pumpGain = pumpGain,
     parametricShare = parametricShare,
-    authority = authority,
+    authority = authority/(1 + timeDivision),
     driveOn = driveOn,
     amplitudeAim = startUp.aim,
     amplitudeRate = startUp.aimRate,
@@ -36,11 +36,19 @@ block QuasisteadyController "Control electronics whose loops follow at once"
     sweepRate = sweep.rate,
     rebalance = forceToRebalance,
     patternRate = readout.patternRate) "Loops and forces";
+  QuasisteadyDemodulation demodulation(
+    controlPeriod = synthesis.controlPeriod,
+    timeDivision = timeDivision,
+    reading = reading,
+    analogue = analogue,
+    turning = commandedTurn - (1 - forceToRebalance)*coupling,
+    holding = synthesis.holding) "Filter and time division";
   DampingCancellation cancellation(cosine = synthesis.detection[4], sine = synthesis.detection[5])
     "Force against damping anisotropy";
   WholeAngleReadout readout(
     samplePeriod = samplePeriod,
     tick = tick,
+    final ratePeriods = 1,
     patternAngle = detector.patternAngle,
     commandedAngle = commanded,
     commandedRate = readout.bryanFactor*virtualRotation + sweep.rate,
@@ -55,6 +63,7 @@ protected
   Units.Angle swept(start = 0, fixed = true) "Position of the sweep";
   Units.AngularVelocity counted "Rotation that is counted in the force-to-rebalance mode";
 equation
+  fresh = demodulation.demodulated;
   expectedAngle = modalAngle;
   overload = 0;
   counted = driveOn*(synthesis.drivenRate - readout.unknownRate)*(1 - gainNoise/(1 + readout.virtualRotationError))
@@ -62,8 +71,12 @@ equation
   der(commanded) = readout.countedRate + forceToRebalance*((1 + readout.clockError)*counted - readout.countedRate);
   der(swept) = sweep.rate;
   rates = {synthesis.motion[1], synthesis.motion[2], synthesis.motion[3], synthesis.motion[4]};
-  force = synthesis.force;
-  acting = synthesis.force;
+  force = {
+    (1 - timeDivision)*synthesis.force[1],
+    (1 - timeDivision)*synthesis.force[2],
+    (1 - timeDivision)*synthesis.force[3],
+    (1 - timeDivision)*synthesis.force[4]};
+  acting = force;
   pump = parametricShare*growthRate;
   growthRate = synthesis.growthRate;
   quadratureForce = synthesis.quadratureForce;
@@ -75,6 +88,6 @@ equation
   annotation (Documentation(info="<html>
 <p>The parts of <code>Controller</code> around <code>QuasisteadyLoops</code>: forces are those that hold amplitude, quadrature and phase,
 and the rotation that they command is counted continuously. In the force-to-rebalance mode the counted rotation is the one that
-holds the pattern, less what is driven uncounted.</p>
+holds the pattern, less what is driven uncounted. In time division no force acts where a reading is taken.</p>
 </html>"));
 end QuasisteadyController;

@@ -34,6 +34,7 @@ block QuasisteadyLoops "Loops that follow at once, and the forces they need"
   output Units.AngularVelocity drivenRate "Rotation of the pattern that is driven, as a command";
   output Units.AngularVelocity lostRate "Rotation that the drives' authority takes away, as a command";
   output Units.RelativeForce force[4] "Force in action, for the feedthrough, {cos x, sin x, cos y, sin y}";
+  output Units.RelativeForce holding[4] "The same without rotation";
 protected
   final parameter Units.DampingCoefficient quickness = 1/(3*samplePeriod) "Of the loops";
   Units.DimensionlessRatio commandShare "Rate of the modal angle per commanded one";
@@ -88,6 +89,11 @@ equation
   reference = motion[8] - passed*(mean[3] - motion[4]);
   drivenRate = motion[7]*command/(2*detection[1]);
   lostRate = motion[9]*command/(2*detection[1]);
+  holding = {
+    antinode*axes[1],
+    -square*axes[2],
+    antinode*axes[2],
+    square*axes[1]};
   force = {
     antinode*axes[1] - node*axes[2],
     -square*axes[2],

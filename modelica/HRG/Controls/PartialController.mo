@@ -3,9 +3,9 @@ partial block PartialController "What all control electronics have: detection, s
   extends Interfaces.PartialElectronics;
   parameter Integer forceToRebalance(min = 0, max = 1) = 0 "0: whole-angle mode; 1: the pattern is held at the start angle, or where it is swept";
   parameter Units.RelativeDisplacement quadratureSetpoint(min = -0.5, max = 0.5) = 0
-    "Quadrature that the loop leaves (residual), typically 1e-4 to 1e-3";
+    "Quadrature that the loop leaves (residual), typically 1e-4 to 1e-3" annotation(Evaluate = false);
   parameter Units.DimensionlessRatio parametricShare(min = 0, max = 1) = 0
-    "Share of the amplitude force that parametric drive gives, typically 0 or 1";
+    "Share of the amplitude force that parametric drive gives, typically 0 or 1" annotation(Evaluate = false);
   parameter Integer timeDivision(min = 0, max = 1) = 0
     "1: the electrodes drive in one control period and sense in the next; 0: they do both at once; typically 0 or 1";
   PatternDetector detector(

@@ -12,7 +12,7 @@ from pyhrg.common.progress import Progress, Show
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.device.device import Device
 from pyhrg.gap.closing.closing import read_identified_device
-from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu
+from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu, put_terms
 from pyhrg.gap.findings.diagnosis import Diagnosis, DiagnosisError
 from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 from pyhrg.gap.replay.observations import observe_test
@@ -85,7 +85,7 @@ def predict(
     test = observe_test(Test("prediction", "manoeuvre", "holdout", log), nominal)
     if found.terms:
         fmu = load_closed_fmu(identified, found.terms)
-        answers = replay_sampled(fmu, identified, test.inputs)
+        answers = replay_sampled(fmu, put_terms(identified, found.terms), test.inputs)
     else:
         answers = (simulation or load_simulation(report)).simulate(identified, test)
     predicted = answers["gyro_angle"]

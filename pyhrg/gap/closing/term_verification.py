@@ -6,15 +6,17 @@ from dataclasses import replace
 import numpy as np
 from scipy.stats import chi2
 
+from pyhrg.device.device import Device
+from pyhrg.fmu import GyroFmu
 from pyhrg.gap.closing.closing import Closing, Residuals, compute_record_residuals
-from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu
+from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu, put_terms
 from pyhrg.gap.closing.equation.proposal import propose_terms
 from pyhrg.gap.closing.equation.refinement import find_moved_tests, list_sizes
 from pyhrg.gap.closing.verification import SEED, estimate_noise_floor, measure_distance
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.findings.term import Term
 from pyhrg.gap.replay.observations import ObservedTest
-from pyhrg.gap.replay.simulation import Simulation, replay_sampled
+from pyhrg.gap.replay.simulation import Simulation, replay_sampled_together
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
 from pyhrg.gap.whitening.whitening import whiten
 
@@ -40,41 +42,41 @@ def verify_terms(
     sizes = list_sizes(attribution.posterior)
     moved = find_moved_tests(attribution.parts, sizes, noise)
     fitted = range(len(attribution.parts))
-    ran = [i for i in range(len(tests)) if i in moved or i not in fitted]
-    after = list(closing.after)
-    for i, own in zip(
-        ran, _run(simulation, closing, [tests[i] for i in ran], terms, ()), strict=True
-    ):
-        after[i] = own
+    fmu = load_closed_fmu(closing.device, terms)
+    alone = [[term] for term in terms] if len(terms) > 1 else []
+    after, after_each = list(closing.after), list[list[Residuals]]()
+    for i, test in enumerate(tests):
+        if i in moved or i not in fitted:
+            sets = [terms, *alone] if test.test.is_holdout else [terms]
+            after[i], *each = _run(simulation, closing.device, test, fmu, sets)
+            if test.test.is_holdout:
+                after_each.append(each or [after[i]])
     held_out = [i for i, test in enumerate(tests) if test.test.is_holdout]
     chosen = [tests[i] for i in held_out]
-    causes_alone = [closing.after[i] for i in held_out]
-    verified = []
-    for term in terms:
-        others = [other for other in terms if other is not term]
-        alone = [after[i] for i in held_out]
-        if others:
-            alone = _run(simulation, closing, chosen, terms, others)
-        shrink = _compute_shrink(chosen, causes_alone, alone, noise, term.channel)
-        verified.append(replace(term, shrink_percent=shrink))
+    before = [closing.after[i] for i in held_out]
+    verified = [
+        replace(
+            term,
+            shrink_percent=_compute_shrink(
+                chosen, before, [each[k] for each in after_each], noise, term.channel
+            ),
+        )
+        for k, term in enumerate(terms)
+    ]
     return replace(closing, after=tuple(after), terms=tuple(verified))
 
 
 def _run(
     simulation: Simulation,
-    closing: Closing,
-    tests: Sequence[ObservedTest],
-    terms: Sequence[Term],
-    off: Sequence[Term],
+    device: Device,
+    test: ObservedTest,
+    fmu: GyroFmu,
+    sets: Sequence[Sequence[Term]],
 ) -> list[Residuals]:
-    """Residuals of the FMU in tests, some of its terms off."""
-    device = closing.device
-    fmu = load_closed_fmu(device, terms, off)
-    answers = (replay_sampled(fmu, device, test.inputs) for test in tests)
-    return [
-        compute_record_residuals(simulation, device, test, answer)
-        for test, answer in zip(tests, answers, strict=True)
-    ]
+    """Residuals of the FMU in a test, with each of these sets of its terms."""
+    devices = [put_terms(device, terms) for terms in sets]
+    answers = replay_sampled_together(fmu, devices, test.inputs)
+    return [compute_record_residuals(simulation, device, test, answer) for answer in answers]
 
 
 def _compute_shrink(

@@ -61,12 +61,16 @@ class KnownParameters:
         whole, forms = self.whole, self._of_forms
         if not forms.size:
             return whole
-        change = self._change
-        scale = change[forms, forms]
+        moved = self._change[:, forms]
+        scale = moved[forms, range(len(forms))]
         norms = whole.norms.copy()
         norms[forms] = np.divide(norms[forms], scale, out=np.zeros_like(scale), where=scale > 0)
-        gram = change.T @ whole.gram @ change
-        return replace(whole, gram=gram, projection=change.T @ whole.projection, norms=norms)
+        gram, projection = whole.gram.copy(), whole.projection.copy()
+        products = whole.gram @ moved
+        gram[:, forms], gram[forms] = products, products.T
+        gram[np.ix_(forms, forms)] = moved.T @ products
+        projection[forms] = moved.T @ projection
+        return replace(whole, gram=gram, projection=projection, norms=norms)
 
     @cached_property
     def _change(self) -> Array:
@@ -74,7 +78,7 @@ class KnownParameters:
         whole, forms = self.whole, self._of_forms
         change = np.eye(len(whole.projection))
         change[np.ix_(self._of_terms, forms)] = -self._shares
-        left = np.einsum("if,ij,jf->f", change[:, forms], whole.gram, change[:, forms])
+        left = (change[:, forms] * (whole.gram @ change[:, forms])).sum(axis=0)
         left = np.where(left > SMALLEST_SHARE, left, 0.0)
         change[:, forms] *= np.divide(1.0, np.sqrt(left), out=np.zeros_like(left), where=left > 0)
         return change

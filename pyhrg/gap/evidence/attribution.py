@@ -47,9 +47,6 @@ SENSITIVITY_DISTANCE = 300.0
 Chosen."""
 MAX_HALVINGS = 8
 """Number of times that a step to a gyro which the FMU refuses is halved. Chosen."""
-LINEARIZATION_DECAY = 4.0
-"""Factor by which the allowed linearization error falls each time that the search returns to a set
-that it had left. Chosen."""
 LINEAR_DISTANCE = math.sqrt(NEGLIGIBLE_CHI2 / LINEARIZATION_ERROR)
 """Mahalanobis length of a step with a negligible linearization error: 32 sigma. Derived."""
 MAX_ROUNDS = 20
@@ -145,9 +142,8 @@ class _Iteration:
     _to_differentiate: effects whose sensitivities are due.
     _differentiated_at: gyro at which all sensitivities were taken last.
     _linearization_error: allowed linearization error, as chi-square.
-    _error_limit: upper limit of the next one.
-    _visited_sets: most probable set of each round so far.
     _compared_groups: set of effects for which the noises were compared last.
+    _last_exact: last hypothesis without linearization error; the next search starts from it.
     """
 
     def __init__(
@@ -161,9 +157,9 @@ class _Iteration:
         self._tests, self._catalogue = tests, catalogue
         self._to_differentiate: Collection[Effect] = catalogue.parameters
         self._differentiated_at = nominal
-        self._linearization_error = self._error_limit = math.inf
-        self._visited_sets: list[frozenset[Group]] = []
+        self._linearization_error = math.inf
         self._compared_groups: tuple[Group, ...] | None = None
+        self._last_exact: Hypothesis | None = None
         self.device = nominal
         self.noise = NoiseHypothesis(build_angle_noise(nominal), ())
         self.parts: list[LinearTest] = []
@@ -215,9 +211,9 @@ class _Iteration:
         if self._linearization_error and length < LINEAR_DISTANCE:
             self._linearization_error = 0.0
             hypothesis = self._rank()
-        if self._linearization_error:
-            self._allow_linearization_error(LINEARIZATION_ERROR * length**2, hypothesis)
-        is_rough = self._linearization_error > 0 and self._error_limit == math.inf
+        elif self._linearization_error:
+            self._linearization_error = LINEARIZATION_ERROR * length**2
+        is_rough = self._linearization_error > 0
         if is_rough or list_large_terms(hypothesis):  # their response is curved
             self.posterior = Posterior((hypothesis,), (1.0,))
         elif hypothesis.ranking.best.groups == self._compared_groups:
@@ -234,9 +230,10 @@ class _Iteration:
         nominal, error = self._nominal, self._linearization_error
         if error:
             return rank_under_noise(self.noise, nominal, self.parts, error)
-        hypothesis = rank_with_forms(self.noise, nominal, self.parts)
+        hypothesis = rank_with_forms(self.noise, nominal, self.parts, self._last_exact)
         if self._take_period(hypothesis):
             hypothesis = rank_with_forms(self.noise, nominal, self.parts)
+        self._last_exact = hypothesis
         return hypothesis
 
     def _take_period(self, hypothesis: Hypothesis) -> bool:
@@ -253,16 +250,6 @@ class _Iteration:
         pairs = zip(self.parts, self._tests, strict=True)
         self.parts = [part.observe(test) for part, test in pairs]
         return True
-
-    def _allow_linearization_error(self, chi2: float, hypothesis: Hypothesis) -> None:
-        """Allow this error. Where the search returns to a set that it had left, it may alternate
-        between sets that explain the residual about as well: less error is allowed from then on."""
-        groups = frozenset(hypothesis.ranking.best.groups)
-        error = min(chi2, self._error_limit)
-        if groups in self._visited_sets[:-1] and groups != self._visited_sets[-1]:
-            self._error_limit = error / LINEARIZATION_DECAY
-        self._visited_sets.append(groups)
-        self._linearization_error = error if error > NEGLIGIBLE_CHI2 else 0.0
 
     def step_length(self, hypothesis: Hypothesis) -> float:
         """Mahalanobis distance (Eq. (11)) by which a hypothesis moves the gyro."""

@@ -11,7 +11,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, Family
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.design import build_design, measure_power
+from pyhrg.gap.effects.design import build_design, measure_power, select_groups
 from pyhrg.gap.effects.form import Form, find_forms
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.known_parameters import KnownParameters
@@ -72,7 +72,8 @@ def _fit_single_cause(first: Hypothesis, parts: Sequence[LinearTest]) -> Fit:
         known = first.known.tolerances.items()
         tolerances: dict[Effect | Form, float] = {g: s for g, s in known if isinstance(g, Effect)}
         tolerances.update(error.sigmas.items())
-        marginal = KnownParameters(whole, tolerances, error.terms).marginal
+        own = select_groups(whole, [*dict.fromkeys((*tolerances, *fitted.groups, *error.terms))])
+        marginal = KnownParameters(own, tolerances, error.terms).marginal
         alone = fit(marginal, fitted.groups)
         return marginal.log_likelihood + alone.log_evidence if alone else -math.inf
 

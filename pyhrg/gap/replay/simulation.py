@@ -220,7 +220,15 @@ class Simulation:
 
 def replay_sampled(fmu: GyroFmu, device: Device, inputs: ReplayInputs) -> dict[str, Array]:
     """A replay with sampled loops."""
-    return replay_inputs(fmu, device, inputs, _choose_sampled_step(inputs.log.interval))
+    return replay_sampled_together(fmu, [device], inputs)[0]
+
+
+def replay_sampled_together(
+    fmu: GyroFmu, devices: Sequence[Device], inputs: ReplayInputs
+) -> list[dict[str, Array]]:
+    """`replay_sampled` of several devices."""
+    step = _choose_sampled_step(inputs.log.interval)
+    return replays.replay_together(fmu, [(device, inputs) for device in devices], step)
 
 
 def _choose_sampled_step(interval: float, steps: int = STEPS_PER_ROW) -> float:

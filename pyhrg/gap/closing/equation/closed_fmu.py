@@ -1,38 +1,18 @@
 """The FMU of the identified gyro with its terms: built from `closed.mo`."""
 
 import tempfile
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
 from fmu_build.bundle import build_fmu
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.fmu.gyro import Gyro
 from pyhrg.gap.closing.equation.closed_class import CLASS, write_class
 from pyhrg.gap.closing.equation.proposal import list_written
 from pyhrg.gap.findings.term import Term
 
 MODEL_FILE, FMU_FILE = f"{CLASS}.mo", f"{CLASS}.fmu"
-
-
-class ClosedFmu(GyroFmu):
-    """The built FMU as a replay takes it: parameters of the device by the names of `HRG`.
-
-    terms: terms whose coefficients are set; those of others stay as they were built.
-    """
-
-    def __init__(self, path: Path, terms: Iterable[Term]) -> None:
-        super().__init__(path)
-        self._sizes = {
-            c.variable: term.parameters[c.name] * c.factor
-            for term in terms
-            for c in list_written(term)
-        }
-
-    def power_on(self, parameters: Mapping[str, float], seed: int, start_angle: float) -> Gyro:
-        """Start the gyro within the class, with parameters by the names of `HRG`, SI."""
-        return super().power_on({**self._sizes, **parameters}, seed, start_angle)
 
 
 def build_closed_fmu(text: str) -> Path:
@@ -43,13 +23,20 @@ def build_closed_fmu(text: str) -> Path:
         return build_fmu(class_file=file)
 
 
-def load_closed_fmu(device: Device, terms: Sequence[Term], off: Sequence[Term] = ()) -> ClosedFmu:
-    """The FMU of a device with terms, ready for `replay_sampled`, some of the terms off. It is
-    built without numbers, so that one build serves all sizes of the same terms."""
+def load_closed_fmu(device: Device, terms: Iterable[Term]) -> GyroFmu:
+    """The FMU of a device with terms, which are off but for a device of `put_terms`. It is built
+    without numbers, so that one build serves all sizes of the same terms."""
     plain = Device(amplitude=device.amplitude)
     shapes = sorted((_remove_numbers(term) for term in terms), key=lambda t: t.formula.modelica)
-    path = build_closed_fmu(write_class(plain, shapes, "Terms without sizes", ()))
-    return ClosedFmu(path, [term for term in terms if term not in off])
+    return GyroFmu(build_closed_fmu(write_class(plain, shapes, "Terms without sizes", ())))
+
+
+def put_terms(device: Device, terms: Iterable[Term]) -> Device:
+    """The device with the coefficients of terms, for an FMU that has these."""
+    sizes = {
+        c.variable: term.parameters[c.name] * c.factor for term in terms for c in list_written(term)
+    }
+    return replace(device, model={**device.model, **sizes})
 
 
 def _remove_numbers(term: Term) -> Term:

@@ -12,7 +12,7 @@ import numpy as np
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
-from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu
+from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu, put_terms
 from pyhrg.gap.closing.equation.proposal import list_coefficients, make_terms
 from pyhrg.gap.closing.equation.series import estimate_terms
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
@@ -25,7 +25,12 @@ from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2, rank_with_forms
 from pyhrg.gap.evidence.posterior import Posterior, compare_noises
 from pyhrg.gap.replay.observations import CHANNELS
-from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels, replay_sampled
+from pyhrg.gap.replay.simulation import (
+    ChannelValues,
+    Simulation,
+    add_channels,
+    replay_sampled_together,
+)
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
 
 Sizes = Mapping[CandidateTerm, Array]
@@ -45,7 +50,6 @@ def refine_terms(
     the terms stay, then compare noises. A search that did not converge is left as it is, as is one
     without terms."""
     first = attribution.parts
-    without: dict[int, ChannelValues] = {}
     for number in range(1, MAX_ROUNDS + 1):
         if not attribution.settled or not _has_terms(attribution.posterior):
             break
@@ -56,9 +60,8 @@ def refine_terms(
             fmu = load_closed_fmu(attribution.device, terms)
         for i in find_moved_tests(first, sizes, attribution.channel_noise):
             part = first[i]
-            if i not in without:
-                without[i] = replay_sampled(simulation.sampled, part.device, part.test.inputs)
-            on, off = replay_sampled(fmu, part.device, part.test.inputs), without[i]
+            ends = put_terms(part.device, terms), part.device
+            on, off = replay_sampled_together(fmu, ends, part.test.inputs)
             answers = add_channels(part.simulated, {name: on[name] - off[name] for name in off})
             parts[i] = _linearize(simulation, attribution.nominal, part, answers, sizes)
         posterior = _search_around(attribution, parts)

@@ -26,6 +26,7 @@ block QuasisteadyController "Control electronics whose loops follow at once"
     driveGain = driveGain,
     pumpGain = pumpGain,
     parametricShare = parametricShare,
+    timeDivision = timeDivision,
     authority = authority/(1 + timeDivision),
     driveOn = driveOn,
     amplitudeAim = startUp.aim,
@@ -37,12 +38,9 @@ block QuasisteadyController "Control electronics whose loops follow at once"
     rebalance = forceToRebalance,
     patternRate = readout.patternRate) "Loops and forces";
   QuasisteadyDemodulation demodulation(
-    controlPeriod = synthesis.controlPeriod,
-    timeDivision = timeDivision,
     reading = reading,
     analogue = analogue,
-    turning = commandedTurn - (1 - forceToRebalance)*coupling,
-    holding = synthesis.holding) "Filter and time division";
+    turning = commandedTurn - (1 - forceToRebalance)*coupling) "Filter";
   DampingCancellation cancellation(cosine = synthesis.detection[4], sine = synthesis.detection[5])
     "Force against damping anisotropy";
   WholeAngleReadout readout(
@@ -71,12 +69,8 @@ equation
   der(commanded) = readout.countedRate + forceToRebalance*((1 + readout.clockError)*counted - readout.countedRate);
   der(swept) = sweep.rate;
   rates = {synthesis.motion[1], synthesis.motion[2], synthesis.motion[3], synthesis.motion[4]};
-  force = {
-    (1 - timeDivision)*synthesis.force[1],
-    (1 - timeDivision)*synthesis.force[2],
-    (1 - timeDivision)*synthesis.force[3],
-    (1 - timeDivision)*synthesis.force[4]};
-  acting = force;
+  force = synthesis.force;
+  acting = synthesis.force;
   pump = parametricShare*growthRate;
   growthRate = synthesis.growthRate;
   quadratureForce = synthesis.quadratureForce;
@@ -88,6 +82,6 @@ equation
   annotation (Documentation(info="<html>
 <p>The parts of <code>Controller</code> around <code>QuasisteadyLoops</code>: forces are those that hold amplitude, quadrature and phase,
 and the rotation that they command is counted continuously. In the force-to-rebalance mode the counted rotation is the one that
-holds the pattern, less what is driven uncounted. In time division no force acts where a reading is taken.</p>
+holds the pattern, less what is driven uncounted.</p>
 </html>"));
 end QuasisteadyController;

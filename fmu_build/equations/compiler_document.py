@@ -1,5 +1,6 @@
 """Reads the Modelica compiler's document as a `Dae`; refuses what the generator does not know."""
 
+import re
 from collections.abc import Iterator
 from fractions import Fraction
 
@@ -123,6 +124,17 @@ def _size(type_index: int, value_types: list[Json]) -> int | None:
     return dimensions[0] if dimensions else None
 
 
+_DECLARATION = re.compile(rb'(?:"(?:[^"\\]|\\.)*"|[^";])*')
+_STRING = re.compile(rb'"(?:[^"\\]|\\.)*"')
+_TUNABLE = re.compile(rb"\bannotation\s*\([^;]*\bEvaluate\s*=\s*false\b")
+
+
+def _is_tunable(text: bytes, start: int) -> bool:
+    """Whether a declaration has the annotation, which the compiler leaves out of its document."""
+    declaration = _DECLARATION.match(text, start)
+    return declaration is not None and bool(_TUNABLE.search(_STRING.sub(b"", declaration[0])))
+
+
 def _variables(storage: Json, source_map: Json) -> Iterator[Variable]:
     files = {source: (path, text.encode()) for source, path, text in source_map["files"]}
     offset = 0
@@ -140,7 +152,8 @@ def _variables(storage: Json, source_map: Json) -> Iterator[Variable]:
             scalar=scalar,
             size=_size(raw["value_type"], storage["value_types"]),
             causality=attributes["causality"],
-            tunable=attributes["is_tunable"],
+            settable=attributes["is_tunable"],
+            tunable=_is_tunable(text, span["start"]),
             unit=attributes["unit"] or "",
             description=attributes["description"] or "",
             binding=attributes["binding"],

@@ -25,7 +25,9 @@ class Variable:
     scalar: str
     size: int | None
     causality: str
+    settable: bool
     tunable: bool
+    """Declared with `annotation(Evaluate = false)`: a parameter that can be set in a run."""
     unit: str
     description: str
     binding: int | None
@@ -108,7 +110,7 @@ class Dae:
     @property
     def settable_period(self) -> Variable | None:
         """The parameter that is the base period, where it can be set."""
-        found = (v for v in self.variables if v.name == "samplePeriod" and v.tunable)
+        found = (v for v in self.variables if v.name == "samplePeriod" and v.settable)
         return next(found, None)
 
     def constant(self, node: int | None, element: int = 0) -> float | None:

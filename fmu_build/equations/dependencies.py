@@ -54,7 +54,7 @@ def _find_knowns(
         sorted(
             v.offset + e
             for v in ends
-            if v.role in roles and (v.role == "input" or v.tunable)
+            if v.role in roles and (v.role == "input" or v.settable)
             for e in range(v.count)
         )
     )

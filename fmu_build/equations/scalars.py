@@ -8,14 +8,8 @@ from itertools import groupby
 from fmu_build.equations.dae import Dae, Variable
 from fmu_build.equations.dependencies import trace_dependencies
 from fmu_build.equations.modelica import RealType, find_type, read_types
-
-TUNABLE = re.compile(
-    r"(.*\.)?controller\.((biasMap|scaleFactorMap|cancellation)\.\w+"
-    r"|quadratureSetpoint|parametricShare|startUp\.\w+Tolerance)"
-)
-"""Names of the parameters that can be set while the gyro runs: calibrated compensations and
-settings of the electronics, which act from the next tick on; no start value is made of them."""
-
+from fmu_build.equations.sorting import find_references
+from pyhrg.common.errors import HrgError
 
 SWITCHES = ("Units.Switch", "Inputs.Switch", "Outputs.Switch")
 """The library's type of a real variable that is 1 or 0, and its connectors: a Boolean in FMI 3."""
@@ -124,7 +118,7 @@ def _find_array(variable: Variable) -> str:
 def find_causality(dae: Dae, variable: Variable) -> str:
     """Causality in the sense of FMI."""
     if variable.role == "parameter":
-        settable = variable.tunable and dae.is_constant(variable.binding, variable.count)
+        settable = variable.settable and dae.is_constant(variable.binding, variable.count)
         return "parameter" if settable else "calculatedParameter"
     return variable.causality if "." not in variable.name else "local"
 
@@ -138,18 +132,30 @@ def find_kind(variable: Variable) -> str:
 
 def is_tunable(dae: Dae, variable: Variable) -> bool:
     """Whether a parameter can be set while the simulation runs."""
-    return find_causality(dae, variable) == "parameter" and bool(TUNABLE.fullmatch(variable.name))
+    return find_causality(dae, variable) == "parameter" and variable.tunable
 
 
 def _list_tunable(dae: Dae) -> set[int]:
-    """Indices of the parameters that can be set then, and of those computed from them."""
+    """Indices of the parameters that can be set then, and of those computed from them.
+
+    Raises:
+        HrgError: a start value is made of one, which would do nothing in a run.
+    """
     own = {i for i, v in enumerate(dae.variables) if is_tunable(dae, v)}
     offsets = {dae.variables[i].offset for i in own}
     calculated = {
         i for i, v in enumerate(dae.variables) if find_causality(dae, v) == "calculatedParameter"
     }
     depends = trace_dependencies(dae, calculated)
-    return own | {i for i in calculated if offsets & set(depends[i].initial)}
+    tunable = own | {i for i in calculated if offsets & set(depends[i].initial)}
+    targets = {("variable", i) for i in tunable}
+    for variable in (v for v in dae.variables if v.role != "parameter"):
+        if variable.start is not None and targets & set(find_references(dae, variable.start)):
+            raise HrgError(
+                f"{dae.model}: {variable.name}: its start value is made of a parameter with "
+                "annotation(Evaluate = false); expected one that is fixed"
+            )
+    return tunable
 
 
 def _find_declared_type(variable: Variable, types: Mapping[str, RealType]) -> RealType | None:

@@ -77,7 +77,9 @@ def size_maps(device: Device, own_axes: bool, calibrated: bool) -> MapSizes:
         pick_off={harmonic: size / math.sqrt(2) for harmonic, size in pick_off.items()},
         scale_factor=abs(
             theory.hold_scale_factor_error(
-                device.control_period, device.loop_delay, _find_driven_decay_time(device)
+                device.control_period,
+                device.loop_delay + device.filter_delay,
+                _find_driven_decay_time(device),
             )
         ),
         decay_time=_find_driven_decay_time(device),

@@ -107,9 +107,31 @@ def hold_scale_factor_error(control_period: float, delay: float, decay_time: flo
     """Scale-factor error of a gyro whose forces lag the pattern: -(Ts/2 + delay)/tau.
 
     Forces are computed for the angle at the sample and held: on average they point at where the
-    pattern was Ts/2 + delay ago, and the amplitude force 1/tau pulls it back.
+    pattern was Ts/2 + delay ago, and the amplitude force 1/tau pulls it back. The delay is that of
+    the loop and of the demodulation's filter.
     """
     return -(control_period / 2 + delay) / decay_time
+
+
+def find_largest_filter_delay(natural_frequency: float) -> float:
+    """Delay of the demodulation's filter, s, at which a loop is at its limit of stability: 2/w.
+
+    Of s^2 (1 + s delay) + 2 w s + w^2 = 0 by the Routh-Hurwitz criterion; the sampled loop has the
+    same limit, with a pole on the unit circle.
+    """
+    return 2 / natural_frequency
+
+
+def time_division_bias(device: Device, pattern_angle: ArrayLike) -> NDArray[np.float64]:
+    """Output bias at rest by drive and sense in alternate control periods, rad/s.
+
+    A split takes the quadrature force (dw/2) sin 4(th - th_w). It acts twice as large in every
+    second period, so that quadrature is Ts/2 times it in the mean while its reading is zero:
+    B = -(dw^2 Ts/16k) sin 8(th - th_w).
+    """
+    size = device.frequency_split**2 * device.control_period / (16 * device.bryan_factor)
+    angle = np.asarray(pattern_angle) - device.stiffness_axis
+    return np.asarray(-device.time_division * size * np.sin(8 * angle))
 
 
 def late_ripple(loop: complex, lag: float, bryan_factor: float, rate: float) -> complex:

@@ -10,6 +10,7 @@ import pytest
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_SQRT_H
 from pyhrg.device import device_file
 from pyhrg.fmu import Gyro, GyroFmu
+from pyhrg.theory.closed_forms import find_largest_filter_delay
 from tests.agreement.device_keys import K, gyro
 from tests.driving import advance, drive
 
@@ -31,6 +32,36 @@ def test_loops_are_critically_damped_at_their_frequency(fmu_path: Path, loop: st
             t = running.time
             error = aim - running.read(output)
             assert error == pytest.approx(1e-3 * (1 - w * t) * math.exp(-w * t), abs=2e-5)
+
+
+@pytest.mark.parametrize(("share", "holds"), [(0.8, True), (1.25, False)])
+def test_a_loop_is_stable_up_to_its_largest_filter_delay(
+    fmu_path: Path, share: float, holds: bool
+) -> None:
+    """The phase loop, which is the fastest, after a step of its set point: it settles, or no longer
+    holds the phase within the tolerance of a valid output."""
+    delay = share * find_largest_filter_delay(200.0)
+    with gyro(GyroFmu(fmu_path), {"filter_delay_s": delay}, 0.1) as running:
+        advance(running, 0.0, 0.1)
+        running.command("phaseOffset", 0.01)
+        advance(running, 0.0, 4.0)
+        valid = set()
+        for _ in range(50):
+            advance(running, 0.0, 0.01)
+            valid.add(running.read("valid"))
+    assert (valid == {1.0}) == holds
+
+
+def test_a_filter_takes_noise_away(fmu: GyroFmu) -> None:
+    """White noise of the pick-offs, read every 0.1 s: times sqrt(Ts/(Ts + 2 td)), of 400 values
+    within 3.5 sigma."""
+    delay = 2e-3
+    keys = {"angle_white_noise_arcsec": 0.2}
+    with gyro(fmu, keys, 0.2) as plain:
+        noise = deviation_of_angles(plain)
+    with gyro(fmu, {**keys, "filter_delay_s": delay}, 0.2) as filtered:
+        ratio = deviation_of_angles(filtered) / noise
+    assert ratio == pytest.approx(math.sqrt(1e-3 / (1e-3 + 2 * delay)), rel=3.5 / math.sqrt(400))
 
 
 def test_quantum(fmu: GyroFmu) -> None:

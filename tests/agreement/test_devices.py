@@ -18,6 +18,7 @@ from pyhrg.device import device_file
 from pyhrg.device.declarations import read_declarations
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
+from pyhrg.theory.closed_forms import time_division_bias
 from tests.agreement.device_keys import (
     ANGLES,
     DW,
@@ -126,6 +127,16 @@ AT_REST: dict[str, tuple[Mapping[str, float], Mapping[str, float], Expected]] = 
         {},
         ("bias", 1e-3 * DW**2 / (8 * K) * np.sin(8 * (ANGLES - SPLIT_AXIS))),
     ),
+    "time division with split: -(dw^2 Ts/16k) s8'', and no feedthrough": (
+        {**SPLIT, "time_division": 1, "feedthrough_s": 1e-3},
+        {},
+        (
+            "bias",
+            time_division_bias(
+                Device(frequency_split=DW, stiffness_axis=SPLIT_AXIS, time_division=1), ANGLES
+            ),
+        ),
+    ),
     "decay time": ({"decay_time_s": 300.0}, {}, ("amplitudeForce", ONE / 300)),
     "virtual rotation gain: -e V": (
         {"virtual_rotation_gain_ppm": 1000.0},
@@ -233,12 +244,14 @@ def test_at_power_on(fmu: GyroFmu, keys: Mapping[str, float], expected: Expected
     [
         ({}, 0.0),
         ({"loop_delay_s": 3e-3}, -3e-3 / TAU),
+        ({"filter_delay_s": 3e-3}, -3e-3 * (1 / TAU + 1 / 50)),
         ({"coriolis_factor_error_ppm": 20.0}, 20e-6),
         ({"coriolis_factor_error_ppm": -20.0, "coriolis_factor": 0.3}, -20e-6),
     ],
 )
 def test_scale_factor(fmu: GyroFmu, keys: Mapping[str, float], error: float) -> None:
-    """Beside the hold's own -(Ts/2)/tau, to 5e-8, in both directions."""
+    """Beside the hold's own -(Ts/2)/tau, to 5e-8, in both directions; the angle that a filter is
+    late by counts over the 50 s."""
     for rate in (0.5, -0.5):
         with gyro(fmu, keys, 0.1) as running:
             measured = advance(running, rate, 50.0) / (50 * rate) - 1

@@ -46,11 +46,17 @@ def test_force_to_rebalance_holds_the_pattern_and_measures(fmu: GyroFmu) -> None
         assert gyro.read("gyroRate") == pytest.approx(1 * DEG, rel=1e-4)
 
 
-def test_force_to_rebalance_range_is_the_drives_authority(fmu: GyroFmu) -> None:
-    """A force of f turns the pattern at f/2: full range is f/(2k); beyond it the pattern slips."""
+@pytest.mark.parametrize("division", [0, 1])
+def test_force_to_rebalance_range_is_the_drives_authority(fmu: GyroFmu, division: int) -> None:
+    """A force of f turns the pattern at f/2: full range is f/(2k); beyond it the pattern slips. In
+    time division f acts half the time."""
     authority = 0.02
-    full = authority / (2 * K)
-    parameters = {"controller.forceToRebalance": 1, "drive.authority": authority}
+    full = authority / (2 * K) / (1 + division)
+    parameters = {
+        "controller.forceToRebalance": 1,
+        "controller.timeDivision": division,
+        "drive.authority": authority,
+    }
     for rate, held in ((0.8 * full, True), (1.3 * full, False)):
         with fmu.power_on(parameters, seed=0, start_angle=0.0) as gyro:
             advance(gyro, rate, 5.0)

@@ -103,4 +103,5 @@ def test_a_value_has_the_type_of_its_parameter(model: str) -> None:
         "seed",
         "ring.electrodes",
         "controller.forceToRebalance",
+        "controller.timeDivision",
     ]

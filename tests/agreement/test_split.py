@@ -34,6 +34,8 @@ PLANT = {
 ELECTRONICS = {
     "controller.synthesis.loopDelay": 1e-4,
     "controller.readout.clockError": 1e-6,
+    "controller.demodulation.filterDelay": 3e-4,
+    "controller.timeDivision": 1,
     "controller.parametricShare": 0.5,
 }
 AUTHORITY = 0.05

@@ -35,10 +35,16 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
     command(unit = "rad/s"),
     integral(unit = "rad.s"))
     "Holds the pattern in the force-to-rebalance mode";
+  Demodulation demodulation(
+    samplePeriod = samplePeriod,
+    tick = tick,
+    timeDivision = timeDivision,
+    reading = reading) "Filter and time division";
   DampingCancellation cancellation(cosine = detector.cosine, sine = detector.sine) "Force against damping anisotropy";
   WholeAngleReadout readout(
     samplePeriod = samplePeriod,
     tick = tick,
+    final ratePeriods = 1 + timeDivision,
     patternAngle = detector.patternAngle,
     commandedAngle = commanded.angle,
     commandedRate = readout.bryanFactor*virtualRotation + angleLoop.command + sweep.rate,
@@ -54,6 +60,8 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
     samplePeriod = samplePeriod,
     tick = tick,
     parametricShare = parametricShare,
+    timeDivision = timeDivision,
+    driveShare = demodulation.driveShare,
     startAngle = startAngle,
     patternAngle = detector.patternAngle,
     cosine = detector.cosine,
@@ -65,6 +73,7 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
     driveOn = driveOn,
     authority = authority) "Forces on the electrodes";
 equation
+  fresh = demodulation.demodulated;
   expectedAngle = 2*detector.lastAngle;
   overload = synthesis.overloaded;
   growthRate = synthesis.drivenGrowth;

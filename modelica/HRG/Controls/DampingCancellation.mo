@@ -1,7 +1,7 @@
 within HRG.Controls;
 block DampingCancellation "Pattern rate that cancels damping anisotropy by force"
-  parameter Units.DampingCoefficient dampingAnisotropy(min = 0, max = 1e-2) = 0 "D as calibrated, typically 0.1 to 2 % of 1/tau";
-  parameter Units.Angle dampingAxis(min = -1000, max = 1000) = 0 "Its axis of maximum damping";
+  parameter Units.DampingCoefficient dampingAnisotropy(min = 0, max = 1e-2) = 0 "D as calibrated, typically 0.1 to 2 % of 1/tau" annotation(Evaluate = false);
+  parameter Units.Angle dampingAxis(min = -1000, max = 1000) = 0 "Its axis of maximum damping" annotation(Evaluate = false);
   input Units.DimensionlessRatio cosine "Of the modal angle 2 theta";
   input Units.DimensionlessRatio sine "Of the modal angle 2 theta";
   output Units.AngularVelocity patternRate "Rate to be driven";

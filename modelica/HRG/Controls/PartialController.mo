@@ -3,14 +3,16 @@ partial block PartialController "What all control electronics have: detection, s
   extends Interfaces.PartialElectronics;
   parameter Integer forceToRebalance(min = 0, max = 1) = 0 "0: whole-angle mode; 1: the pattern is held at the start angle, or where it is swept";
   parameter Units.RelativeDisplacement quadratureSetpoint(min = -0.5, max = 0.5) = 0
-    "Quadrature that the loop leaves (residual), typically 1e-4 to 1e-3";
+    "Quadrature that the loop leaves (residual), typically 1e-4 to 1e-3" annotation(Evaluate = false);
   parameter Units.DimensionlessRatio parametricShare(min = 0, max = 1) = 0
-    "Share of the amplitude force that parametric drive gives, typically 0 or 1";
+    "Share of the amplitude force that parametric drive gives, typically 0 or 1" annotation(Evaluate = false);
+  parameter Integer timeDivision(min = 0, max = 1) = 0
+    "1: the electrodes drive in one control period and sense in the next; 0: they do both at once; typically 0 or 1";
   PatternDetector detector(
     samplePeriod = samplePeriod,
     tick = tick,
     startAngle = startAngle,
-    reading = reading,
+    reading = fresh,
     expected = expectedAngle) "Orbit of the vibration";
   StartUp startUp(
     samplePeriod = samplePeriod,
@@ -26,6 +28,7 @@ partial block PartialController "What all control electronics have: detection, s
   ScaleFactorMap scaleFactorMap(samplePeriod = samplePeriod, tick = tick, cosine = detector.cosine, sine = detector.sine)
     "Compensation of the detected angle";
 protected
+  Units.RelativeDisplacement fresh[4] "Reading behind the demodulation's filter, of periods in which the electrodes sense";
   Units.Angle expectedAngle "Modal angle to which the detected one is nearest";
   Units.DimensionlessRatio overload "1 while a drive is at its authority";
 equation
@@ -35,7 +38,7 @@ equation
   valid = startUp.valid;
   isHeld = forceToRebalance;
   annotation (Documentation(info="<html>
-<p>The orbit is detected from the reading, the amplitude to hold follows from the start-up, and the calibrated
-bias map is integrated for the read-out, the calibrated error of the angle told to it. How forces follow from the orbit is left to who extends it.</p>
+<p>The orbit is detected from the reading behind the demodulation's filter, the amplitude to hold follows from the start-up, and the calibrated
+bias map is integrated for the read-out, the calibrated error of the angle told to it. Demodulation, and how forces follow from the orbit, are left to who extends it.</p>
 </html>"));
 end PartialController;

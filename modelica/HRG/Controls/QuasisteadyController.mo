@@ -22,11 +22,12 @@ block QuasisteadyController "Control electronics whose loops follow at once"
     modalAngle = modalAngle,
     axes = axes,
     coupling = coupling,
-    analogue = analogue,
+    analogue = demodulation.settled,
     driveGain = driveGain,
     pumpGain = pumpGain,
     parametricShare = parametricShare,
-    authority = authority,
+    timeDivision = timeDivision,
+    authority = authority/(1 + timeDivision),
     driveOn = driveOn,
     amplitudeAim = startUp.aim,
     amplitudeRate = startUp.aimRate,
@@ -36,11 +37,16 @@ block QuasisteadyController "Control electronics whose loops follow at once"
     sweepRate = sweep.rate,
     rebalance = forceToRebalance,
     patternRate = readout.patternRate) "Loops and forces";
+  QuasisteadyDemodulation demodulation(
+    reading = reading,
+    analogue = analogue,
+    turning = commandedTurn - (1 - forceToRebalance)*coupling) "Filter";
   DampingCancellation cancellation(cosine = synthesis.detection[4], sine = synthesis.detection[5])
     "Force against damping anisotropy";
   WholeAngleReadout readout(
     samplePeriod = samplePeriod,
     tick = tick,
+    final ratePeriods = 1,
     patternAngle = detector.patternAngle,
     commandedAngle = commanded,
     commandedRate = readout.bryanFactor*virtualRotation + sweep.rate,
@@ -55,6 +61,7 @@ protected
   Units.Angle swept(start = 0, fixed = true) "Position of the sweep";
   Units.AngularVelocity counted "Rotation that is counted in the force-to-rebalance mode";
 equation
+  fresh = demodulation.demodulated;
   expectedAngle = modalAngle;
   overload = 0;
   counted = driveOn*(synthesis.drivenRate - readout.unknownRate)*(1 - gainNoise/(1 + readout.virtualRotationError))

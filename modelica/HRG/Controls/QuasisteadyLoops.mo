@@ -6,6 +6,7 @@ block QuasisteadyLoops "Loops that follow at once, and the forces they need"
   parameter Units.Time loopDelay(min = 0, max = 0.1) = 0
     "Age of the angle that forces are resolved with, beyond the sample, typically up to 1e-3";
   parameter Units.DimensionlessRatio parametricShare "Share of the force on the antinode that parametric drive gives";
+  parameter Integer timeDivision "1: the electrodes drive in one control period and sense in the next; 0: they do both at once";
   input Real freeRates[4] "Rates of the displacement without drive, {cx, sx, cy, sy}";
   input Units.RelativeDisplacement amplitude "True antinode amplitude";
   input Units.RelativeDisplacement quadrature "True quadrature";
@@ -33,7 +34,7 @@ block QuasisteadyLoops "Loops that follow at once, and the forces they need"
   output Units.AngularFrequency reference "Reference frequency less the nominal one";
   output Units.AngularVelocity drivenRate "Rotation of the pattern that is driven, as a command";
   output Units.AngularVelocity lostRate "Rotation that the drives' authority takes away, as a command";
-  output Units.RelativeForce force[4] "Force in action, for the feedthrough, {cos x, sin x, cos y, sin y}";
+  output Units.RelativeForce force[4] "Mean force that readings show, {cos x, sin x, cos y, sin y}";
 protected
   final parameter Units.DampingCoefficient quickness = 1/(3*samplePeriod) "Of the loops";
   Units.DimensionlessRatio commandShare "Rate of the modal angle per commanded one";
@@ -45,6 +46,7 @@ protected
   Units.DimensionlessRatio aim[2] "Cosine and sine of the modal angle that forces are resolved with";
   Units.RelativeForce antinode(start = 0, fixed = true) "Force of the electrodes on the antinode, as the pick-offs feel it";
   Units.RelativeForce node(start = 0, fixed = true) "Force on the node, likewise";
+  Units.RelativeForce seen "Force on the node as far as readings show it";
   Units.RelativeForce square(start = 0, fixed = true) "Force on the node in quadrature, likewise";
   Units.DimensionlessRatio command "Command over force; 0 with the drive off";
   Units.DimensionlessRatio effort "Command over force on the shell; 0 where the drive does not hold the orbit, and in the first period";
@@ -88,17 +90,18 @@ equation
   reference = motion[8] - passed*(mean[3] - motion[4]);
   drivenRate = motion[7]*command/(2*detection[1]);
   lostRate = motion[9]*command/(2*detection[1]);
+  seen = (1 - timeDivision)*node;
   force = {
-    antinode*axes[1] - node*axes[2],
+    antinode*axes[1] - seen*axes[2],
     -square*axes[2],
-    antinode*axes[2] + node*axes[1],
+    antinode*axes[2] + seen*axes[1],
     square*axes[1]};
   annotation (Documentation(info="<html>
 <p>Real loops settle in a second or two. Here amplitude, quadrature and phase approach their aims with a time constant of
 three output periods, and forces follow at once; what is slower than that is as with the real loops. The angle that a change of
 amplitude leaves by misaimed forces is right within 3 % up to a factor of three. Inputs and temperature are held from sample to sample, so that the loops catch up with a pick-off's gain or phase in steps. They leave r = 1 - 1/3 + 1/18 of each step
 by the end of its period: of the mean that a force needs, its value there is r/(3 (1 - r)) = 13/15, or 1/(3 (1 - r)) = 6/5 where the next step has come. Forces and reference
-that are shown are therefore means of the last period. Not in here: the loops' own transients, their
+that are shown are therefore means of the last period. In time division a reading is half a control period of the holding force below the mean, and shows no force that rotates. Not in here: the loops' own transients, their
 response to overload, and the noise of pick-offs on its way through them. With the drive off an orbit that becomes a circle
 (a split that turns quadrature up to the amplitude) has no antinode, and the elements of the orbit end there.</p>
 </html>"));

@@ -2,12 +2,12 @@ within HRG.Controls;
 block ScaleFactorMap "Error of the detected pattern angle as calibrated, to take out of the output"
   parameter Units.Time samplePeriod "Control period";
   Boolean tick = sample(0, samplePeriod) "Each control period";
-  parameter Units.Angle cos2(min = -0.1, max = 0.1) = 0 "Coefficient of cos 2 theta, typically up to 5e-5";
-  parameter Units.Angle sin2(min = -0.1, max = 0.1) = 0 "Coefficient of sin 2 theta, typically up to 5e-5";
-  parameter Units.Angle cos4(min = -0.1, max = 0.1) = 0 "Coefficient of cos 4 theta, typically 2.5e-6 to 5e-4";
-  parameter Units.Angle sin4(min = -0.1, max = 0.1) = 0 "Coefficient of sin 4 theta, typically 2.5e-6 to 5e-4";
-  parameter Units.Angle cos8(min = -0.1, max = 0.1) = 0 "Coefficient of cos 8 theta, typically up to 1e-5";
-  parameter Units.Angle sin8(min = -0.1, max = 0.1) = 0 "Coefficient of sin 8 theta, typically up to 1e-5";
+  parameter Units.Angle cos2(min = -0.1, max = 0.1) = 0 "Coefficient of cos 2 theta, typically up to 5e-5" annotation(Evaluate = false);
+  parameter Units.Angle sin2(min = -0.1, max = 0.1) = 0 "Coefficient of sin 2 theta, typically up to 5e-5" annotation(Evaluate = false);
+  parameter Units.Angle cos4(min = -0.1, max = 0.1) = 0 "Coefficient of cos 4 theta, typically 2.5e-6 to 5e-4" annotation(Evaluate = false);
+  parameter Units.Angle sin4(min = -0.1, max = 0.1) = 0 "Coefficient of sin 4 theta, typically 2.5e-6 to 5e-4" annotation(Evaluate = false);
+  parameter Units.Angle cos8(min = -0.1, max = 0.1) = 0 "Coefficient of cos 8 theta, typically up to 1e-5" annotation(Evaluate = false);
+  parameter Units.Angle sin8(min = -0.1, max = 0.1) = 0 "Coefficient of sin 8 theta, typically up to 1e-5" annotation(Evaluate = false);
   input Units.DimensionlessRatio cosine "Of the modal angle 2 theta";
   input Units.DimensionlessRatio sine "Of the modal angle 2 theta";
   discrete output Units.Angle error(start = 0, fixed = true) "Error of the detected pattern angle";

@@ -6,10 +6,10 @@ block StartUp "Amplitude to aim at after power-on, and whether the output is val
     "Share of the set point in the first stage, which gives a rate soon; 1: no start-up";
   parameter Units.Time firstTime(min = 0, max = 100) = 1 "End of the first stage";
   parameter Units.Time fullTime(min = 0.1, max = 1000) = 10 "Full amplitude is aimed at from here on";
-  parameter Units.DimensionlessRatio amplitudeTolerance(min = 0, max = 1) = 0.2 "Of valid output, relative to the aim";
-  parameter Units.Angle phaseTolerance(min = 0, max = 1) = 0.05 "Of valid output";
-  parameter Units.DimensionlessRatio quadratureTolerance(min = 0, max = 1) = 0.05 "Of valid output, relative to the aim";
-  parameter Units.Angle rebalanceTolerance(min = 0, max = 1) = 0.01 "Of valid output";
+  parameter Units.DimensionlessRatio amplitudeTolerance(min = 0, max = 1) = 0.2 "Of valid output, relative to the aim" annotation(Evaluate = false);
+  parameter Units.Angle phaseTolerance(min = 0, max = 1) = 0.05 "Of valid output" annotation(Evaluate = false);
+  parameter Units.DimensionlessRatio quadratureTolerance(min = 0, max = 1) = 0.05 "Of valid output, relative to the aim" annotation(Evaluate = false);
+  parameter Units.Angle rebalanceTolerance(min = 0, max = 1) = 0.01 "Of valid output" annotation(Evaluate = false);
   input Units.RelativeDisplacement setpoint "Amplitude to hold in the end";
   input Units.RelativeDisplacement amplitude "Detected antinode amplitude";
   input Units.Angle phase "Detected phase";

@@ -9,6 +9,7 @@ block WholeAngleReadout "Angle of the case from the angle of the pattern"
     "True over commanded rotation, less one, typically 1e-5 to 1e-3";
   parameter Units.Angle quantum(min = 0, max = 0.1) = 0
     "Least significant bit of the output angle, typically 5e-8 to 5e-6: 0.01 to 1 arcsec (estimate); 0: none";
+  parameter Units.DimensionlessRatio ratePeriods "Periods over which the rate is taken: 2 where every second reading is old";
   input Units.Angle patternAngle "Detected pattern angle";
   input Units.Angle commandedAngle "Pattern angle at time 0 and all rotation counted since";
   input Units.AngularVelocity commandedRate "Pattern rate that is commanded";
@@ -22,15 +23,17 @@ block WholeAngleReadout "Angle of the case from the angle of the pattern"
   output Units.AngularVelocity countedRate "Commanded rate as the gyro's clock integrates it";
   discrete output Units.Angle gyroAngle(start = 0, fixed = true)
     "Measured angle of the case since time 0; begins at the read-out's error";
-  discrete output Units.AngularVelocity gyroRate(start = 0, fixed = true) "Measured rate of the case over the last period";
+  discrete output Units.AngularVelocity gyroRate(start = 0, fixed = true) "Measured rate of the case over the last periods";
 protected
+  discrete Units.Angle previous(start = 0, fixed = true) "Measured angle at the sample before; at the first one its own";
   discrete Units.DimensionlessRatio started(start = 0, fixed = true) "1 from the first sample on";
 equation
   patternRate = commandedRate*(1 + virtualRotationError + gainNoise) + unknownRate;
   countedRate = (1 + clockError)*driveOn*(commandedRate - lostRate);
   when tick then
     gyroAngle = Electrodes.digitised((commandedAngle - (patternAngle - angleError))/bryanFactor - correction, quantum, 0);
-    gyroRate = pre(started)*(gyroAngle - pre(gyroAngle))/(samplePeriod*(1 + clockError));
+    previous = if pre(started) > 0.5 then pre(gyroAngle) else gyroAngle;
+    gyroRate = pre(started)*(gyroAngle - (if ratePeriods > 1.5 then pre(previous) else pre(gyroAngle)))/(ratePeriods*samplePeriod*(1 + clockError));
     started = 1;
   end when;
   annotation (Documentation(info="<html>

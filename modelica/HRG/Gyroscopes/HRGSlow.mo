@@ -17,6 +17,7 @@ model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-ste
     rates = controller.rates) "Vibrating shell";
   Electrodes.PickOff pickOff(
     ringErrors = ring.errors,
+    forceTime = (1 - controller.timeDivision)*pickOff.feedthrough - controller.timeDivision*controller.synthesis.controlPeriod/2,
     displacement = resonator.orbit.displacement,
     force = controller.force,
     temperature = resonator.environment.temperature,
@@ -41,7 +42,7 @@ model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-ste
   Noise.ElectronicsNoise noise(
     samplePeriod = samplePeriod,
     bryanFactor = resonator.material.bryanFactor,
-    final pickOffPeriod = 1e-3,
+    final pickOffPeriod = 1e-3 + 2*controller.demodulation.filterDelay/(1 + controller.timeDivision),
     seed = seed) "Noise of drives, pick-offs and electronics";
   Controls.QuasisteadyController controller(
     samplePeriod = samplePeriod,

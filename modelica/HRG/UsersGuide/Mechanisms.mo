@@ -46,6 +46,8 @@ Earth too, whose rate is 9.65 deg/h about a vertical axis at 39.9 degrees of lat
 <tr><td>36</td><td>rectified vibration</td><td><code>pickOff.vibrationVariance</code> with <code>gainPerAccelerationSquared</code></td><td>as 2 with g = g_2 S df</td></tr>
 <tr><td>37</td><td>anisotropy of parametric drive</td><td><code>drive.pumpAnisotropy</code>, <code>pumpAxis</code>; and from 32, n = -(3/2) E about its axis</td><td>with <code>parametricShare</code> = 1: B = (n/2k tau) sin 4(th - th_n), G -(n/tau) cos 4(th - th_n)</td></tr>
 <tr><td>38</td><td>flicker of D, g and p</td><td><code>flicker.dampingAnisotropy</code> (relative to D), <code>flicker.gainMismatch</code>, <code>flicker.phaseError</code></td><td>as 1, 2, 7 with D (1 + x), g + x, p + x, x of density B^2/(2 pi f): at a fixed angle an Allan deviation of 0.664 B times the bias of 1, 2, 7 per unit; of g beside it the angle's</td></tr>
+<tr><td>39</td><td>filter of the demodulation</td><td><code>controller.demodulation.filterDelay</code></td><td>angle -W td; a virtual rotation R as W = -R; scale factor -td/tau, as 15; loops stable for td &lt; 2/w; white noise of the reading times sqrt(Ts/(Ts + 2 td))</td></tr>
+<tr><td>40</td><td>drive and sense in time division</td><td><code>controller.timeDivision</code></td><td>B = -(dw^2 Ts/16k) s8''; angle -W Ts at every second output (not in <code>HRGSlow</code>); no 11, half of <code>drive.authority</code></td></tr>
 </table>
 <p>The same gyro in its modes:</p>
 <table border=\"1\">

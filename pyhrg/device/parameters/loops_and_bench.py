@@ -84,6 +84,14 @@ class LoopAndBenchParameters(ResonatorParameters):
         effect=EffectDeclaration("loop_delay", 1e-3, ("rate",), position=15),
     )
     """Delay from detected angle to force, beyond the hold [td], s."""
+    filter_delay: float = parameter(
+        key="filter_delay_s", limits=(0, 0.1), fmu="controller.demodulation.filterDelay"
+    )
+    """Delay of the demodulation's low-pass filter, s; 0: no filter."""
+    time_division: float = parameter(
+        key="time_division", limits=(0, 1), fmu="controller.timeDivision"
+    )
+    """1: the electrodes drive in one control period and sense in the next; 0: both at once."""
     virtual_rotation_error: float = parameter(
         key="virtual_rotation_gain_ppm",
         unit=PPM,

@@ -51,6 +51,7 @@ RESTING = {
     "pickOff.feedthrough",
     "pickOff.gainPerGradient",
     "pickOff.gainAgeing",
+    "controller.demodulation.filterDelay",
     "controller.startUp.firstTime",
     "controller.startUp.fullTime",
     "noise.angleRandomWalk",
@@ -61,9 +62,9 @@ RESTING = {
     "flicker.gainMismatch",
     "flicker.phaseError",
 }
-"""At the start time forces, the ramp, the age and the difference of the temperatures of case and
-resonator are zero, and these are multiplied by them; noise that has moved nothing yet only decides
-whether any is drawn."""
+"""At the start time the filter has nothing to hold on to; forces, the ramp, the age and the
+difference of the temperatures of case and resonator are zero, and the others are multiplied by
+them; noise that has moved nothing yet only decides whether any is drawn."""
 
 STILL = {"valid", "gyroRate", "noise.isMade", "flicker.isMade"}
 """Outputs that jump at thresholds, or are zero until a second sample."""

@@ -6,6 +6,7 @@ import pytest
 
 from fmu_build.code.generate import generate_source
 from fmu_build.equations import translate as translate_module
+from fmu_build.equations.scalars import list_variables
 from fmu_build.equations.translate import translate
 from pyhrg.common.errors import HrgError
 from tests.fmu_build.modelica import SAMPLED, translated
@@ -20,6 +21,24 @@ def test_other_compiler_version_is_refused(tmp_path: Path, monkeypatch: pytest.M
     monkeypatch.setattr(translate_module, "COMPILER_VERSION", "0.0.0")
     with pytest.raises(HrgError, match=r"is installed; expected 0\.0\.0"):
         translate(tmp_path, "P.M")
+
+
+def test_a_parameter_is_tunable_by_its_annotation(tmp_path: Path) -> None:
+    """Not by words in its description, and not if it is computed from another one."""
+    text = SAMPLED.replace("twice = 2*x", "twice = 2*x + c + d")
+    text = text.replace(
+        "    input Real u",
+        '    parameter Real c = 1 "a; Evaluate = false" annotation(Evaluate = false);\n'
+        '    parameter Real d = 1 "annotation(Evaluate = false)";\n    input Real u',
+    )
+    listed = list_variables(translated(tmp_path, text), 2)
+    assert [each.name for each in listed if each.variability == "tunable"] == ["c"]
+
+
+def test_a_start_value_of_a_tunable_parameter_is_refused(tmp_path: Path) -> None:
+    text = SAMPLED.replace('a = 2 "a"', 'a = 2 "a" annotation(Evaluate = false)')
+    with pytest.raises(HrgError, match=r"P\.M: x: its start value is made of a parameter with"):
+        list_variables(translated(tmp_path, text), 2)
 
 
 def test_model_without_clock_is_refused(tmp_path: Path) -> None:

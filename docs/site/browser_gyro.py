@@ -55,6 +55,7 @@ def make_binary() -> dict[str, object]:
         "wasm": base64.b64encode(wasm).decode(),
         "guid": description.guid,
         "variables": variables,
+        "integers": [v.name for v in description.modelVariables if v.type == "Integer"],
         "parameters": {name: value for name, value in values.items() if name in variables},
         "worth": compute_harmonic_worth(),
     }

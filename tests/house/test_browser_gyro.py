@@ -36,7 +36,7 @@ DRIVE = """
 (async () => {
   const gyro = new Gyro(await loadLibrary(GYRO));
   for (const [name, value] of Object.entries(START)) gyro.set(name, value);
-  gyro.setSeed(7);
+  gyro.set("seed", 7);
   gyro.start();
   const bits = [];
   for (let i = 0; i < STEPS; i++) {

@@ -4,7 +4,8 @@
 const CO_SIMULATION = 1;
 const OK = 0;
 
-/* Loads the library. `binary` has `wasm` (base64), `guid`, and `variables` (value references). */
+/* Loads the library. `binary` has `wasm` (base64), `guid`, `variables` (value references), and
+   `integers` (names of those that are no real numbers). */
 async function loadLibrary(binary) {
   const bytes = Uint8Array.from(atob(binary.wasm), (c) => c.charCodeAt(0));
   const { instance } = await WebAssembly.instantiate(bytes);
@@ -13,7 +14,8 @@ async function loadLibrary(binary) {
   const reference = functions.malloc(4);
   const number = functions.malloc(8);
   const guid = writeText(functions, binary.guid);
-  return { functions, reference, number, guid, variables: binary.variables };
+  const integers = new Set(binary.integers);
+  return { functions, reference, number, guid, variables: binary.variables, integers };
 }
 
 function writeText(functions, text) {
@@ -45,17 +47,13 @@ class Gyro {
   }
 
   set(name, value) {
-    const { functions, reference, number } = this.library;
+    const { functions, reference, number, integers } = this.library;
+    const [Numbers, setNumbers] = integers.has(name)
+      ? [Int32Array, functions.fmi2SetInteger]
+      : [Float64Array, functions.fmi2SetReal];
     this.point(name);
-    new Float64Array(functions.memory.buffer, number, 1)[0] = value;
-    this.check(functions.fmi2SetReal(this.instance, reference, 1, number));
-  }
-
-  setSeed(seed) {
-    const { functions, reference, number } = this.library;
-    this.point("seed");
-    new Int32Array(functions.memory.buffer, number, 1)[0] = seed;
-    this.check(functions.fmi2SetInteger(this.instance, reference, 1, number));
+    new Numbers(functions.memory.buffer, number, 1)[0] = value;
+    this.check(setNumbers(this.instance, reference, 1, number));
   }
 
   get(name) {

@@ -35,7 +35,7 @@ function makeGyro(startAngle, seed) {
   const gyro = new Gyro(library);
   for (const [name, value] of Object.entries(values)) gyro.set(name, value);
   gyro.set("startAngle", startAngle);
-  if (seed) gyro.setSeed(seed);
+  if (seed) gyro.set("seed", seed);
   gyro.start();
   return gyro;
 }

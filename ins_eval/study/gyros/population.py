@@ -101,8 +101,8 @@ class Population:
         common: correlation of each normal deviate from gyro to gyro, 0 to 1: gyros of one maker
             have maps of one shape. Uniform and log-uniform draws are each gyro's own.
         rarer: size of mechanisms that not every gyro has (33, 34 and 38), over the one above; 0:
-            none, and none is drawn. They are a gyro's last draws; the next gyro of the same
-            generator is then another one.
+            none. They are drawn by a generator of their own and have no part that is `common`, so
+            that whatever else is drawn is the same with and without them.
     """
 
     smallest: float
@@ -117,6 +117,7 @@ class Population:
 
     def draw(self, generator: Generator) -> Device:
         """A gyro as it is built, before the maker's calibration."""
+        (of_rarer,) = generator.spawn(1)
         size = _draw_log_uniform(generator, self.smallest, self.largest)
         if self.common:
             generator = MakersGenerator(generator, self.common)
@@ -139,7 +140,7 @@ class Population:
         ):
             device = mechanisms(device, size, generator)
         if self.rarer:
-            device = _add_rarer(device, self.rarer, generator)
+            device = _add_rarer(device, self.rarer, of_rarer)
         return replace(device, turn_on_scatter=_compute_scatter(device))
 
 

@@ -49,11 +49,14 @@ def test_gyros_of_one_maker_are_alike_in_shape_not_in_size() -> None:
 
 
 def test_rarer_mechanisms_change_nothing_else() -> None:
-    """Of the gyro with the same seed; twice as large where they are asked for twice."""
+    """Neither of the gyro nor of the one that is drawn next; twice as large where they are asked
+    for twice."""
+    generators = [np.random.default_rng(5) for _ in range(3)]
     drawn = [
-        Population(*SIZES, rarer=share).draw(np.random.default_rng(5)) for share in (0.0, 1.0, 2.0)
+        [asdict(Population(*SIZES, rarer=share).draw(each)) for _ in range(2)]
+        for share, each in zip((0.0, 1.0, 2.0), generators, strict=True)
     ]
-    without, once, twice = map(asdict, drawn)
+    without, once, twice = (gyros[1] for gyros in drawn)
     moved = {key for key, value in once.items() if value != without[key]}
     assert moved == {
         "electrostatic_cubic",

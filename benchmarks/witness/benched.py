@@ -11,7 +11,6 @@ from ins_eval.study.gyros.drift import draw_flight
 from ins_eval.study.gyros.population import RAW
 from ins_eval.study.witness.believed import believe_gyro
 from ins_eval.study.witness.witnessed import read_true_changes
-from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.fmu import GyroFmu
 from pyhrg.witness.design import TERMS
@@ -20,7 +19,7 @@ from pyhrg.witness.information import compute_normalized_square
 from pyhrg.witness.mechanisms import change_device
 from pyhrg.witness.replay import read_witnesses
 from pyhrg.witness.responses import measure_output
-from tests.pyhrg.witness.flights import fly
+from tests.pyhrg.witness.flights import compute_rms, fly
 
 DURATION = 600.0
 FIRST_SEED = 1000
@@ -67,12 +66,8 @@ def estimate_benched(
         )
         yield Benched(
             *compute_normalized_square(error, found.covariance),
-            _rms(told - true),
-            _rms(before - true),
+            compute_rms(told - true) / DEG_PER_H,
+            compute_rms(before - true) / DEG_PER_H,
             compute_map_deviation(found.responses, found.covariance, found.temperature) / DEG_PER_H,
             found.p_value,
         )
-
-
-def _rms(bias: Array) -> float:
-    return float(np.sqrt(bias[0] ** 2 + np.sum(bias[1:] ** 2) / 2)) / DEG_PER_H

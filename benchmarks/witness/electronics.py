@@ -21,6 +21,7 @@ from tests.pyhrg.witness.flights import (
     INTERVAL,
     PRIOR,
     RISE,
+    compute_rms,
     draw_changes,
     fly,
     record_flight,
@@ -108,8 +109,3 @@ def bootstrap_ratio(found: Sequence[Corrected]) -> tuple[float, float]:
         ratios.append(left / true)
     low, high = np.quantile(ratios, (0.025, 0.975))
     return float(low), float(high)
-
-
-def compute_rms(maps: Array) -> float:
-    """Rms over the circumference and over maps (n, TERMS)."""
-    return float(np.sqrt(np.mean(maps[:, 0] ** 2 + np.sum(maps[:, 1:] ** 2, axis=1) / 2)))

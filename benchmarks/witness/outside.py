@@ -13,7 +13,7 @@ from pyhrg.witness.fit import Flown, fit_changes
 from pyhrg.witness.mechanisms import change_device
 from pyhrg.witness.replay import read_witnesses
 from pyhrg.witness.responses import measure_output, measure_responses
-from tests.pyhrg.witness.flights import GYRO, PRIOR, draw_changes, fly
+from tests.pyhrg.witness.flights import GYRO, PRIOR, compute_rms, draw_changes, fly
 
 CHANGES = {
     "drive_frame_rotation": 1e-5,
@@ -74,11 +74,7 @@ def compare_changes(fast: GyroFmu, slow: GyroFmu) -> Iterator[Compared]:
                     change_device(GYRO, PRIOR.mean),
                 )
             )
-            errors.append((_rms(told - true), _rms(believed - true)))
+            errors.append((compute_rms(told - true), compute_rms(believed - true)))
         told_errors, believed_errors = np.array(errors).T
         p_values = np.array([each.p_value for each in fits])
         yield Compared(field, told_errors, believed_errors, p_values)
-
-
-def _rms(bias: Array) -> float:
-    return float(np.sqrt(bias[0] ** 2 + np.sum(bias[1:] ** 2) / 2))

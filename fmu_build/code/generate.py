@@ -156,19 +156,17 @@ def _states(dae: Dae, lines: Iterable[str]) -> list[str]:
 
 def _derivatives(dae: Dae, plan: Schedule) -> list[str]:
     """Derivatives from states, and from the states that `v` holds: there the motion is known."""
-    declaration = "INLINE void {}(const real *v, const real *x, real *dx)"
-    names, there = ("derivatives", "first_derivatives"), {a.target for a in plan.motion}
-    rest = [a for a in plan.derivatives if a.target not in there]
-    first = (
-        _procedure(declaration.format(names[1]), _derive(dae, rest))
-        if len(rest) < len(plan.derivatives)
-        else ["#define {1} {0}".format(*names)]
-    )
-    return [
+    arguments = "(const real *v, const real *x, real *dx)"
+    known = {a.target for a in plan.motion}
+    unknown = [a for a in plan.derivatives if a.target not in known]
+    lines = [
         f"#define STATES {len(_scalars(dae, 'state'))}",
-        *_procedure(declaration.format(names[0]), _derive(dae, plan.derivatives)),
-        *first,
+        *_procedure(f"INLINE void derivatives{arguments}", _derive(dae, plan.derivatives)),
     ]
+    if len(unknown) == len(plan.derivatives):
+        return [*lines, "#define first_derivatives derivatives"]
+    first = _procedure(f"INLINE void first_derivatives{arguments}", _derive(dae, unknown))
+    return [*lines, *first]
 
 
 def _derive(dae: Dae, assignments: Iterable[Assignment]) -> list[str]:

@@ -110,9 +110,10 @@ def read_fixes(path: Path | str) -> Fixes:
     """
     source = Path(path)
     text = decode(source, read_unpacked(source))
-    if is_novatel(text) or _is_kf_gins(text):
+    kf_gins = _split_kf_gins if _is_kf_gins(text) else None
+    split = split_positions if is_novatel(text) else kf_gins
+    if split:
         wanted, places = list(KF_GINS), list(range(len(KF_GINS)))
-        split = split_positions if is_novatel(text) else _split_kf_gins
         numbered = split(source, text)
     else:
         (_, names), *numbered = list(parse_csv(source, text)) or [(1, [])]

@@ -30,8 +30,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> None:
+    from ins_eval.error_model.error_budget import BODY
     from ins_eval.mission_model.missions import plan_mission
-    from ins_eval.mission_model.position_errors import AXES, compute_map_worth
+    from ins_eval.mission_model.position_errors import compute_map_worth
     from ins_eval.mission_model.weights_cache import load_mission_weights
     from ins_eval.study.gyros.drift import AGEING_SHARE, LARGEST_LEAKAGE
     from ins_eval.study.gyros.witness_prior import widen_prior
@@ -52,12 +53,12 @@ def run(options: argparse.Namespace) -> None:
         for covariance in (found.maps_covariance, found.maps_prior)
     )
     if options.json:
-        worth = zip(AXES, after.tolist(), before.tolist(), strict=True)
+        worth = zip(BODY, after.tolist(), before.tolist(), strict=True)
         errors = {axis: {"with_log": a, "without_log": b} for axis, a, b in worth}
         place = {"mission": mission.name, "hours": mission.hours}
         print(json.dumps({**found.document, **place, "position_rms_m": errors}, indent=1))
         return
     print(found.summary)
     print(f"\nrms position error by what is not known, {mission.name}, {mission.hours:g} h, m")
-    for axis, known, unknown in zip(AXES, after, before, strict=True):
+    for axis, known, unknown in zip(BODY, after, before, strict=True):
         print(f"gyro pointing {axis:10s}{known:10.0f} with the log{unknown:10.0f} without it")

@@ -9,6 +9,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import NDArray
 
+from ins_eval.error_model.error_budget import BODY
 from ins_eval.mission_model.alignment_at_rest import compute_second_order_error
 from ins_eval.mission_model.gyro_map import turn_weights
 from ins_eval.mission_model.mission_weights import MissionWeights
@@ -174,16 +175,12 @@ def draw_noise_errors(
     return (normal.reshape(len(seeds), -1) @ roots).reshape(len(seeds), -1, 2)
 
 
-AXES = ("forward", "right", "down")
-"""Body axes along which a gyro may point."""
-
-
 def compute_map_worth(weights: MissionWeights, covariance: Array, angle: float) -> Array:
     """(3,) rms horizontal error at the mission's end, m, by one gyro along each body axis.
 
     covariance: (2 TERMS, 2 TERMS) of its bias map, rad/s, and scale-factor map, over the pattern
     angle, constant in the mission; angle: of the pattern when the mission begins, rad.
     """
-    carried = turn_weights(weights.gyros[-1:], np.full(len(AXES), angle))[0]
+    carried = turn_weights(weights.gyros[-1:], np.full(len(BODY), angle))[0]
     power = np.einsum("ica,cd,ida->a", carried, covariance, carried)
     return np.asarray(np.sqrt(np.maximum(power, 0.0)))

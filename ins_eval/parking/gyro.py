@@ -16,8 +16,8 @@ import numpy as np
 from ins_eval.imu.gyros import GyroOutput, resolve_force_in_case, simulate_gyro, with_start_up
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position.positions import Plan
-from pyhrg.bench.calibration.calibration import apply_maps, plan_power_ons
-from pyhrg.bench.calibration.calibration_maps import fit_maps, make_angle_map
+from pyhrg.bench.calibration.calibration import apply_maps, calibrate_once
+from pyhrg.bench.calibration.calibration_maps import make_angle_map
 from pyhrg.bench.estimation.harmonics import make_columns
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
@@ -157,6 +157,5 @@ class MappedGyro:
 def measure_maps(bench: Bench, plan: Plan | None = None) -> MappedGyro:
     """The maker's calibration, power-ons apart: positions (the 24 of the bench's full-circumference
     test by default), 100 s each, and turns both ways."""
-    power_ons = plan_power_ons(bench, plan, runs=1, segments=1)
-    found = fit_maps(bench.campaign([bench.log(task) for task in power_ons]))
+    found = calibrate_once(bench, plan)
     return MappedGyro(bench, make_angle_map(found.bias_map), apply_maps(bench.device, found))

@@ -13,6 +13,7 @@ from ins_eval.common.metrics import median_interval
 from ins_eval.parking.gyro import CASES
 from ins_eval.parking.study import Comparison, compare_with_first_case
 from ins_eval.parking.triad import RECORDS
+from ins_eval.results.compared_growth import TABLE, draw_growth, write_growth
 from ins_eval.results.png import save_png
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG, NAUTICAL_MILE
@@ -33,17 +34,9 @@ def plot_comparison(result: Comparison) -> Figure:
 
 
 def _draw_growth(axes: Axes, result: Comparison) -> None:
-    hours = result.time / 3600
-    for color, radial in zip(COLORS, result.radial / NAUTICAL_MILE, strict=True):
-        axes.plot(hours, np.median(radial, axis=0), color=color, linewidth=2)
-        band = np.array([median_interval(sample) for sample in radial.T])
-        axes.fill_between(hours, band[:, 0], band[:, 1], color=color, alpha=0.12, linewidth=0)
-    axes.set_yscale("log")
+    cases = zip(COLORS, result.radial, strict=True)
+    draw_growth(axes, result.time, ((color, None, radial) for color, radial in cases))
     axes.set_ylim(bottom=np.median(result.radial[:, :, -1], axis=1).min() / NAUTICAL_MILE / 30)
-    axes.set_xlim(0, hours[-1])
-    axes.set_xlabel("time since alignment, h")
-    axes.set_ylabel("median radial error (band: 95 %), log axis\nnmi (1 nmi = 1.852 km)")
-    axes.grid(which="both", alpha=0.25)
 
 
 def _draw_ratios(axes: Axes, result: Comparison) -> None:
@@ -75,7 +68,7 @@ def _draw_ratios(axes: Axes, result: Comparison) -> None:
 
 
 SCHEMA = "hrg-parking/1"
-FILES = ("parking.json", "position_error.csv", "parking.png")
+FILES = ("parking.json", TABLE, "parking.png")
 USED = {
     "running": "all five minutes, of gyros that run already",
     "ready": "from when all gyros are ready",
@@ -134,14 +127,9 @@ def find_rms_arcmin(angle: Array) -> float:
 
 
 def write(result: Comparison, folder: Path) -> None:
-    """Write parking.json, position_error.csv and parking.png into an existing folder."""
+    """Write `FILES` into an existing folder."""
     (folder / "parking.json").write_text(json.dumps(make_document(result), indent=2) + "\n")
-    n = result.radial.shape[1]
-    names = ["time_s", *(f"{case.name}_triad_{i + 1:03}_m" for case in CASES for i in range(n))]
-    columns = np.column_stack([result.time, *result.radial.reshape(-1, len(result.time))])
-    header = {"header": ",".join(names), "comments": ""}
-    path = folder / "position_error.csv"
-    np.savetxt(path, columns, fmt="%.6g", delimiter=",", newline="\r\n", **header)
+    write_growth(folder, result.time, [case.name for case in CASES], result.radial)
     save_png(plot_comparison(result), folder / "parking.png")
 
 

@@ -11,11 +11,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ins_eval.error_model.linear_model import AXES
 from ins_eval.imu.sensor_error_model import TYPICAL_ACCELEROMETERS
 from ins_eval.mission_model.gyro_map import turn_weights
 from ins_eval.schedules.families import Family
 from ins_eval.schedules.knowledge import KnownGyro
-from ins_eval.schedules.schedule import AXES, Schedule
+from ins_eval.schedules.schedule import Schedule
 from ins_eval.schedules.weights import MissionResponse, ScheduleWeights, weigh_schedules
 from pyhrg.common.arrays import Array
 

@@ -7,13 +7,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from ins_eval.common.metrics import PairedRatio, compute_paired_ratio
+from ins_eval.error_model.linear_model import AXES
 from ins_eval.imu.sensor_error_model import TYPICAL_ACCELEROMETERS
 from ins_eval.mission_model.missions import StudyMission
 from ins_eval.schedules.choice import Planner
 from ins_eval.schedules.families import FAMILIES
 from ins_eval.schedules.flight import fly_schedules
 from ins_eval.schedules.knowledge import KnownGyro, bench_gyro
-from ins_eval.schedules.schedule import AXES, TAKES_MEAN, Schedule
+from ins_eval.schedules.schedule import TAKES_MEAN, Schedule
 from ins_eval.study.cosimulated import MissionTruth
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position.positions import Plan
@@ -76,9 +77,14 @@ class Comparison:
         return np.asarray(np.sqrt(np.square(self.error).sum(axis=-1).mean(axis=-1)))
 
     @property
+    def radial(self) -> Array:
+        """(cases, n, k) horizontal error, m."""
+        return np.asarray(np.hypot(*np.moveaxis(self.error, -1, 0)))
+
+    @property
     def final(self) -> Array:
         """(cases, n) horizontal error at the mission's end, m."""
-        return np.asarray(np.hypot(*np.moveaxis(self.error[:, :, -1], -1, 0)))
+        return self.radial[:, :, -1]
 
     def compare(self, case: str, reference: str) -> PairedRatio:
         """Ratio of the rms errors of two cases, by their names."""

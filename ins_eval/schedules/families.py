@@ -6,7 +6,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ins_eval.schedules.schedule import AXES, PATTERN_PERIOD, Schedule, Sweep
+from ins_eval.error_model.linear_model import AXES
+from ins_eval.schedules.schedule import PATTERN_PERIOD, Schedule, Sweep
 from pyhrg.common.units import DEG
 
 OWN_START = (None,)

@@ -5,10 +5,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ins_eval.error_model.linear_model import AXES
 from ins_eval.imu.gyros import GyroOutput, resolve_force_in_case, simulate_together
 from ins_eval.mission_model.missions import STILL
 from ins_eval.schedules.knowledge import KnownGyro
-from ins_eval.schedules.schedule import AXES, VERTICAL, Schedule, Sweep, turn_into_case
+from ins_eval.schedules.schedule import VERTICAL, Schedule, Sweep, turn_into_case
 from ins_eval.study.cosimulated import MissionTruth, align_and_navigate
 from pyhrg.bench.bench import Bench
 from pyhrg.common.arrays import Array

@@ -9,9 +9,7 @@ from ins_eval.mission_model.bench_map import BenchMap, make_bench_map
 from ins_eval.mission_model.gyro_map import NAMES, TERMS, evaluate_terms, fit_coefficients
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.position.positions import Plan
-from pyhrg.bench.calibration.calibration import plan_power_ons
-from pyhrg.bench.calibration.calibration_maps import fit_maps
-from pyhrg.bench.scale_factor.scale_factor import SCALE
+from pyhrg.bench.calibration.calibration import calibrate_once
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
@@ -75,14 +73,9 @@ def describe_gyro(
 def bench_gyro(bench: Bench, plan: Plan | None = None) -> KnownGyro:
     """A simulated gyro as its maker knows it: positions and turns both ways as in the bench's test
     `calibration`, in one power-on each, and a turn of the pattern both ways by virtual rotation."""
-    logged = [bench.log(task) for task in plan_power_ons(bench, plan, runs=1, segments=1)]
-    found = fit_maps(bench.campaign(logged))
-    scale = found.rates.fit.finding(SCALE, "scale factor error", "ppm")
-    findings = (*found.bias_map.values(), *found.scale_factor_map.values(), scale)
+    measured = make_bench_map(calibrate_once(bench, plan).findings)
     rotation = measure_rotation_map(bench)
-    return describe_gyro(
-        bench.device, make_bench_map(findings), rotation, bench.device.power_on_angle
-    )
+    return describe_gyro(bench.device, measured, rotation, bench.device.power_on_angle)
 
 
 def measure_rotation_map(bench: Bench, rate: float = 1 * DEG) -> BenchMap:

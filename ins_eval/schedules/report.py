@@ -10,17 +10,18 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ins_eval.common.metrics import PairedRatio, compute_paired_ratio, median_interval
+from ins_eval.error_model.error_budget import BODY
+from ins_eval.results.compared_growth import TABLE, draw_growth, write_growth
 from ins_eval.results.png import save_png
 from ins_eval.schedules.comparison import CASES, CHOICES, UNSCHEDULED, Comparison
 from ins_eval.schedules.families import FAMILIES
 from ins_eval.schedules.schedule import Schedule, Sweep
-from pyhrg.common.units import DEG, NAUTICAL_MILE
+from pyhrg.common.units import DEG
 
 SCHEMA = "hrg-schedule/1"
-FILES = ("schedule.json", "position_error.csv", "schedule.png")
+FILES = ("schedule.json", TABLE, "schedule.png")
 COLORS = ("black", "0.45", "tab:blue", "tab:orange", "tab:green")
 NAMES = [case.name for case in CASES]
-AXIS_NAMES = ("forward", "right", "down")
 
 
 def summarize(result: Comparison) -> str:
@@ -72,17 +73,11 @@ def plot_comparison(result: Comparison) -> Figure:
 
 
 def _draw_growth(axes: Axes, result: Comparison, shown: list[int]) -> None:
-    hours, radial = result.time / 3600, np.hypot(*np.moveaxis(result.error, -1, 0)) / NAUTICAL_MILE
-    for color, number in zip(COLORS, shown, strict=True):
-        label = CASES[number].label.removesuffix(": chosen")
-        axes.plot(hours, np.median(radial[number], axis=0), color=color, linewidth=2, label=label)
-        band = np.array([median_interval(sample) for sample in radial[number].T])
-        axes.fill_between(hours, band[:, 0], band[:, 1], color=color, alpha=0.12, linewidth=0)
-    axes.set_yscale("log")
-    axes.set_xlim(0, hours[-1])
-    axes.set_xlabel("time since alignment, h")
-    axes.set_ylabel("median radial error (band: 95 %), log axis\nnmi (1 nmi = 1.852 km)")
-    axes.grid(which="both", alpha=0.25)
+    cases = (
+        (color, CASES[number].label.removesuffix(": chosen"), result.radial[number])
+        for color, number in zip(COLORS, shown, strict=True)
+    )
+    draw_growth(axes, result.time, cases)
     axes.legend(loc="lower right", fontsize=8, framealpha=0.95)
 
 
@@ -108,13 +103,7 @@ def _draw_agreement(axes: Axes, result: Comparison, shown: list[int]) -> None:
 def write(result: Comparison, folder: Path) -> None:
     """Write `FILES` into an existing folder."""
     (folder / "schedule.json").write_text(json.dumps(make_document(result), indent=2) + "\n")
-    n = result.rms.shape[1]
-    names = ["time_s", *(f"{name}_triad_{i + 1:03}_m" for name in NAMES for i in range(n))]
-    radial = np.hypot(*np.moveaxis(result.error, -1, 0)).reshape(-1, len(result.time))
-    header = {"header": ",".join(names), "comments": ""}
-    columns = np.column_stack([result.time, *radial])
-    path = folder / "position_error.csv"
-    np.savetxt(path, columns, fmt="%.6g", delimiter=",", newline="\r\n", **header)
+    write_growth(folder, result.time, NAMES, result.radial)
     save_png(plot_comparison(result), folder / "schedule.png")
 
 
@@ -188,7 +177,7 @@ def summarize_choice(document: dict[str, Any]) -> str:
             *(
                 f"{'':13}{axis}: {_describe_motion(sweep)}; {taken} taken out"
                 for axis, sweep, taken in zip(
-                    AXIS_NAMES, turned["virtual_rotation"], turned["taken_out"], strict=True
+                    BODY, turned["virtual_rotation"], turned["taken_out"], strict=True
                 )
             ),
             "",
@@ -199,7 +188,7 @@ def summarize_choice(document: dict[str, Any]) -> str:
 
 
 def _describe_parking(parked: dict[str, Any]) -> str:
-    given = zip(AXIS_NAMES, parked["start_angles_deg"], strict=True)
+    given = zip(BODY, parked["start_angles_deg"], strict=True)
     return ", ".join(f"{axis} at {angle:g} deg" for axis, angle in given if angle is not None)
 
 

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ins_eval.error_model.effects import ANGULAR_GAIN
+from ins_eval.error_model.linear_model import AXES
 from pyhrg.common.arrays import Array
 
-AXES = 3
 VERTICAL = 2
 """Axis about which the case is turned."""
 

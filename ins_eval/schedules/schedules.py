@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 
 from fmu_build.bundle import build_fmu
 from ins_eval.common.metrics import MIN_SAMPLE_FOR_MEDIAN
+from ins_eval.error_model.linear_model import AXES
 from ins_eval.mission_model.bench_map import read_bench_map
 from ins_eval.mission_model.missions import LONGEST_HOURS, StudyMission, plan_mission
 from ins_eval.schedules import report
@@ -16,7 +17,7 @@ from ins_eval.schedules.choice import Planner, Prediction
 from ins_eval.schedules.comparison import Comparison, Experiment, compare
 from ins_eval.schedules.families import FAMILIES
 from ins_eval.schedules.knowledge import describe_gyro
-from ins_eval.schedules.schedule import AXES, Schedule
+from ins_eval.schedules.schedule import Schedule
 from ins_eval.schedules.weights import compute_mission_response
 from ins_eval.study.cosimulated import sample_truth
 from pyhrg.common.arguments import check_number, check_seed, check_whole_number

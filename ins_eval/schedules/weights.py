@@ -11,11 +11,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from ins_eval.error_model.effects import ANGULAR_GAIN
+from ins_eval.error_model.linear_model import AXES
 from ins_eval.mission_model.gyro_map import TERMS, evaluate_terms
 from ins_eval.mission_model.mission_weights import STEP, linearize_mission
 from ins_eval.mission_model.missions import SETTLING, STILL, StudyMission
 from ins_eval.mission_model.noise_weights import compute_error_weights
-from ins_eval.schedules.schedule import AXES, VERTICAL, Schedule, turn_into_case
+from ins_eval.schedules.schedule import VERTICAL, Schedule, turn_into_case
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import HOUR
 

@@ -30,7 +30,7 @@ from pyhrg.bench.outcome import Finding, Outcome, estimate_mean
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.readings.segments import Points
 from pyhrg.bench.scale_factor import scale_factor
-from pyhrg.bench.scale_factor.scale_factor import SCALE, list_unused_turns, make_turn_power_ons
+from pyhrg.bench.scale_factor.scale_factor import list_unused_turns, make_turn_power_ons
 from pyhrg.common.units import DEG, DEG_PER_H, PPM
 from pyhrg.device.device import Device
 from pyhrg.records.campaign import Campaign, Test
@@ -71,6 +71,13 @@ def plan_power_ons(bench: Bench, plan: Plan | None, runs: int, segments: int) ->
     return [*make_power_ons(bench, plan, runs, segments), *turns]
 
 
+def calibrate_once(bench: Bench, plan: Plan | None = None) -> Calibration:
+    """A maker's calibration: the maps of the gyro as it is, from one power-on at each position,
+    one segment each, and one of each turn."""
+    power_ons = plan_power_ons(bench, plan, runs=1, segments=1)
+    return fit_maps(bench.campaign([bench.log(task) for task in power_ons]))
+
+
 def apply_maps(device: Device, found: Calibration, angle: float = 0.0) -> Device:
     """The gyro with the maps found in its electronics, turned by an angle of pattern, rad."""
     maps = [turn_map(make_angle_map(m), angle) for m in (found.bias_map, found.scale_factor_map)]
@@ -95,9 +102,7 @@ def evaluate(campaign: Campaign) -> Outcome:
     findings = [find_residual_variation(name, *result) for name, result in results.items()]
     return Outcome(
         findings=(
-            *found.bias_map.values(),
-            *found.scale_factor_map.values(),
-            found.rates.fit.finding(SCALE, "scale factor error", "ppm"),
+            *found.findings,
             *(finding for group in findings for finding in group),
         ),
         verdict=_verdict({f.name: f for group in findings for f in group}),

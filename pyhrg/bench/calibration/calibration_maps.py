@@ -51,6 +51,12 @@ class Calibration:
         return self.rates.fit.value(SCALE)
 
     @property
+    def findings(self) -> tuple[Finding, ...]:
+        """All terms of both maps, and the scale factor error."""
+        scale = self.rates.fit.finding(SCALE, "scale factor error", "ppm")
+        return (*self.bias_map.values(), *self.scale_factor_map.values(), scale)
+
+    @property
     def refused(self) -> tuple[str, ...]:
         """A sentence on each term that the records can't identify."""
         return (*self.positions.refused, *self.rates.refused)

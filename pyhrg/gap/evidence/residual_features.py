@@ -213,13 +213,13 @@ def _spells(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
     no such noise."""
     order = sorted(residuals, key=lambda r: r.channel)
     for channel, group in groupby(order, key=lambda r: r.channel):
-        alike = [r for r in group if not r.noise.lagged]
+        alike = [(r, _correlate_squares(r.white)) for r in group if not r.noise.lagged]
         for length in SPELL_ROWS:
-            own = [r for r in alike if len(r.white) >= MIN_SPELLS * length]
+            own = [(r, by_lag) for r, by_lag in alike if len(r.white) >= MIN_SPELLS * length]
             if not own:
                 continue
-            products = sum(_sum_products(r.white, length) / (1 + r.model_error) for r in own)
-            pairs = sum(sum(range(len(r.white) - length + 1, len(r.white))) for r in own)
+            products = sum(float(by_lag[1:length].sum()) / (1 + r.model_error) for r, by_lag in own)
+            pairs = sum(sum(range(len(r.white) - length + 1, len(r.white))) for r, _ in own)
             score = max(products, 0.0) / math.sqrt(pairs)
             yield ResidualFeature(
                 f"noise that comes and goes in spells of {length} rows ({CHANNEL_WORDS[channel]})",
@@ -227,10 +227,10 @@ def _spells(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
             )
 
 
-def _sum_products(white: Array, length: int) -> float:
-    """Sum of products of the normal scores of the squares' ranks, over all pairs of rows that are
-    nearer than a length."""
+def _correlate_squares(white: Array) -> Array:
+    """Sums of products of the normal scores of the squares' ranks, over all pairs of rows, by their
+    distance in rows."""
     n = len(white)
     scores = ndtri((rankdata(white**2) - 0.5) / n)
     spectrum = np.fft.rfft(scores, 2 * n)
-    return float(np.fft.irfft(np.abs(spectrum) ** 2)[1:length].sum())
+    return np.asarray(np.fft.irfft(np.abs(spectrum) ** 2))

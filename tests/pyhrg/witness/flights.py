@@ -134,6 +134,11 @@ def record_flight(
     return rows, means, held
 
 
+def compute_rms(maps: Array) -> float:
+    """Rms over the circumference, and over the maps, of maps (..., TERMS)."""
+    return float(np.sqrt(np.mean(maps[..., 0] ** 2 + np.sum(maps[..., 1:] ** 2, axis=-1) / 2)))
+
+
 def burst(log: Log, generator: np.random.Generator, first: float, last: float) -> Log:
     """The log with a burst of noise in both forces, fifty times their own, between times, s."""
     rows = (log.time > first) & (log.time < last)

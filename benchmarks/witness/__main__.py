@@ -7,8 +7,9 @@ confounded                 directions among the mechanisms that simple motions s
 study [CALIBRATION TRAINING JUDGED]
                            R2 of the position error in linear flights of two hours, of triads whose
                            maps are calibrated (seed 1, as `hrg study standard`)
-flown [CALIBRATION TRIADS FIRST]
-                           flies triads on the FMU at 1 kHz, from number FIRST on; those whose rows
+flown [CALIBRATION sealed TRIADS FIRST]
+                           flies triads on the FMU at 1 kHz, from number FIRST on; with the word
+                           sealed, each gyro has a form outside the model. Those whose rows
                            docs/witness-flown.csv has are not flown again
 benched [GYROS]            NEES of estimates with an error of the bench, and of their maps
 electronics [FLIGHTS MINUTES]
@@ -18,6 +19,7 @@ outside                    the estimate where something changed that its prior h
 """
 
 import sys
+from collections.abc import Sequence
 
 import numpy as np
 from scipy.stats import chi2
@@ -108,9 +110,10 @@ def print_study(method: str, training: int, judged: int) -> None:
             print(f"    {name:28s} {score}", flush=True)
 
 
-def fly(method: str, count: int, first: int) -> None:
+def fly(words: Sequence[str], count: int, first: int) -> None:
     fmus = load_fmu("HRG"), load_fmu("HRGSlow")
-    fleet = flown.Fleet(fmus, make_distribution(method))
+    distribution = make_distribution("mean" if "mean" in words else "map")
+    fleet = flown.Fleet(fmus, distribution, "sealed" in words)
     for flights in flown.fly_triads(fleet, range(first, first + count)):
         print(f"{len(flights)} rows", flush=True)
 
@@ -177,7 +180,7 @@ if __name__ == "__main__":
     elif command == "confounded":
         print_confounded()
     elif command == "flown":
-        fly(calibration, *(numbers + [FLOWN, FIRST_FLOWN][len(numbers) :]))
+        fly(words, *(numbers + [FLOWN, FIRST_FLOWN][len(numbers) :]))
     elif command == "benched":
         print_benched(*(numbers or [BENCHED]))
     elif command == "electronics":

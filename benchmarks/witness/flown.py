@@ -9,6 +9,7 @@ from pathlib import Path
 import pandas as pd
 
 from benchmarks.witness.motions import CLASSES
+from benchmarks.witness.sealed import draw_effects
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import plan_mission
 from ins_eval.mission_model.weights_cache import load_mission_weights
@@ -37,15 +38,21 @@ FILE = Path("docs/witness-flown.csv")
 """A row for each triad, mission and duration of the self-test: flights of `HOURS`, of `SEED`.
 Column `commit` names the code that flew."""
 DIGITS = 5
-KEYS = ("calibration", "triad", "mission")
+KEYS = ("calibration", "effects", "triad", "mission")
+NONE = "-"
+"""Effects outside the model of a triad that has none."""
 
 
 @dataclass(frozen=True)
 class Fleet:
-    """Triads of one calibration; fmus: `HRG` and `HRGSlow`."""
+    """Triads of one calibration.
+
+    fmus: `HRG` and `HRGSlow`; is_sealed: whether each gyro has an effect outside the model.
+    """
 
     fmus: tuple[GyroFmu, GyroFmu]
     distribution: TriadDistribution
+    is_sealed: bool = False
 
     @cached_property
     def drawn(self) -> dict[int, tuple[DrawnTriad, Sequence[BelievedGyro]]]:
@@ -64,8 +71,22 @@ class Fleet:
         weights = select_time(load_mission_weights(planned), -1)
         flying = {n: self.draw(n) for n in numbers}
         place = MISSIONS.index(mission)
-        found = witness_triads(self.fmus, sample_truth(planned), weights, place, flying, numbers)
-        tables = [self._tabulate(n, found, row, weights) for row, n in enumerate(numbers)]
+        effects = {n: draw_effects(self.draw(n)[0]) for n in numbers if self.is_sealed}
+        found = witness_triads(
+            self.fmus,
+            sample_truth(planned),
+            weights,
+            place,
+            flying,
+            numbers,
+            {n: disturbances for n, (_, disturbances) in effects.items()},
+        )
+        tables = [
+            self._tabulate(n, found, row, weights).assign(
+                effects="; ".join(effects[n][0]) if self.is_sealed else NONE
+            )
+            for row, n in enumerate(numbers)
+        ]
         return pd.concat(tables).assign(
             calibration=self.distribution.method,
             mission_class=CLASSES[mission],
@@ -88,10 +109,10 @@ def fly_triads(fleet: Fleet, numbers: range, file: Path = FILE) -> Iterator[pd.D
     for first in range(0, len(numbers), TOGETHER):
         for mission in MISSIONS:
             done = read_flights(file)
-            is_flown = (done["calibration"] == fleet.distribution.method) & (
-                done["mission"] == mission
-            )
-            flown = set(done.loc[is_flown, "triad"])
+            same = done[
+                (done["mission"] == mission) & ((done["effects"] != NONE) == fleet.is_sealed)
+            ]
+            flown = set(same.loc[same["calibration"] == fleet.distribution.method, "triad"])
             if group := [n for n in numbers[first : first + TOGETHER] if n not in flown]:
                 rows = fleet.fly(mission, group)
                 write_flights(file, pd.concat([done, rows]) if len(done) else rows)

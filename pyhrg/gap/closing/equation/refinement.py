@@ -137,8 +137,8 @@ def _linearize(
         turned = turned - values @ sizes[term] if term in sizes else turned
     for channel in residual:
         if channel != "gyro_angle":
-            slope = around.bryan_factor * around.slopes[channel]
-            residual[channel] = residual[channel] - slope * turned
+            turning = around.at_measured_angle(np.zeros((len(turned), 1)), turned[:, None], channel)
+            residual[channel] = residual[channel] - turning[:, 0]
     return replace(around, residual=residual, simulated=part.simulated)
 
 

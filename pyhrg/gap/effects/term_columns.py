@@ -17,6 +17,7 @@ from pyhrg.gap.effects.coordinates import (
     Functions,
     make_harmonic,
 )
+from pyhrg.gap.effects.jump import Jump
 
 Columns = list[tuple[CandidateTerm, Array]]
 """Terms with their (n, b) columns in one channel."""
@@ -55,6 +56,7 @@ def compute_response(
 ) -> Array:
     """(n,) response of a channel to terms of these sizes, (d,) each, in units of their columns."""
     columns = dict(build_term_columns(where, channel))
+    columns |= {t: t.columns(where) for t in sizes if isinstance(t, Jump) and t.channel == channel}
     own = [columns[term] @ size for term, size in sizes.items() if term in columns]
     return np.asarray(sum(own, np.zeros(len(where.pattern_angle))))
 

@@ -198,8 +198,9 @@ def _declare_parameters(term: Term) -> str:
     lines = []
     for c in list_written(term):
         value = term.parameters[c.name]
-        si = value * c.factor
-        meaning = f"Coefficient of {c.basis.text}: {c.name} = {value:.6g}"
+        si = 0.0 if c.basis.test else value * c.factor
+        where = " there, 0 else" if c.basis.test else ""
+        meaning = _plain(f"Coefficient of {c.basis.text}: {c.name} = {value:.6g}{where}")
         lines.append(
             f'  parameter HRG.Units.{_acting(term).type} {c.variable} = {si!r} "{meaning}";\n'
         )

@@ -13,6 +13,7 @@ from typing import NamedTuple
 from pyhrg.common.units import DEG
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.coordinates import HYSTERESIS_WIDTHS, LAST_MOTION, THERMAL_LAGS
+from pyhrg.gap.effects.jump import parse_times
 
 FIRST_POWERS = {"temperature": "temperature^1", "time": "time since power-on"}
 """Functions by their names as the second of a product, where these differ."""
@@ -70,6 +71,7 @@ class Basis:
     scale: the term's column over this function.
     per: suffix of the unit that the function has as a power of a coordinate; empty if none.
     uses: names of the coordinates' variables.
+    test: the only test in which it acts; empty where it acts in all.
     """
 
     stem: str
@@ -78,11 +80,14 @@ class Basis:
     scale: float
     per: str
     uses: tuple[str, ...]
+    test: str = ""
 
 
 def express_term(term: CandidateTerm) -> tuple[Basis, ...]:
     """Basis functions of a term in the order of its columns; none if it can't be written: a value
-    for each power-on."""
+    for each power-on, a step of the pattern."""
+    if term.function.startswith("pattern: "):
+        return ()
     bases = _express(re.sub("^[a-z -]+: ", "", term.function))
     return _count_from_start(*bases) if term.is_encoder_error and len(bases) > 1 else bases
 
@@ -128,6 +133,22 @@ def _cycle(harmonic: int, period: str) -> tuple[Basis, ...]:
     return tuple(
         Basis(f"{f}{stem}", f"{f}({text})", f"{f}({phase})", 1.0, "", ("hours",))
         for f in ("cos", "sin")
+    )
+
+
+def _change(words: str) -> tuple[Basis, ...]:
+    """Unit steps at the times of a jump, each in its test alone."""
+    return tuple(
+        Basis(
+            f"jump{number}",
+            f"[t >= {time:g} s in {test}]",
+            f"(if hours*3600 < {time!r} then 0 else 1)",
+            1.0,
+            "",
+            ("hours",),
+            test,
+        )
+        for number, (test, time) in enumerate(parse_times(words), 1)
     )
 
 
@@ -200,6 +221,7 @@ _FORMS: tuple[tuple[str, Callable[[Match], tuple[Basis, ...]]], ...] = (
     (r"harmonic (\d+) of the pattern angle", lambda m: _angle(PATTERN, int(m[1]))),
     (r"harmonic (\d+) of a period of (.*) s", lambda m: _cycle(int(m[1]), m[2])),
     (r"harmonic (\d+) of the table angle", lambda m: _angle(TABLE, int(m[1]))),
+    ("a (?:jump|step) (at .*)", lambda m: _change(m[1])),
     (LAST_MOTION, lambda m: (_single(DIRECTION, "last_motion", DIRECTION.name, 1.0, ""),)),
     (r"temperature\^(\d)", lambda m: (_power(WARMTH, "temperature", int(m[1]), _TENTH),)),
     ("temperature of the case", lambda m: (_power(CASE, "case_temperature", 1, _TENTH),)),

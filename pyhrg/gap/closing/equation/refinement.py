@@ -60,7 +60,7 @@ def refine_terms(
             fmu = load_closed_fmu(attribution.device, terms)
         for i in find_moved_tests(first, sizes, attribution.channel_noise):
             part = first[i]
-            ends = put_terms(part.device, terms), part.device
+            ends = put_terms(part.device, terms, part.test.test.id), part.device
             on, off = replay_sampled_together(fmu, ends, part.test.inputs)
             answers = add_channels(part.simulated, {name: on[name] - off[name] for name in off})
             parts[i] = _linearize(simulation, attribution.nominal, part, answers, sizes)

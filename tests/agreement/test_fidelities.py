@@ -112,7 +112,7 @@ CASES: dict[str, tuple[float, Values, Values]] = {
     "pickOff.cubic": (0.01, {}, {}),
     "pickOff.phaseError": (0.01, SPLIT, {}),
     "pickOff.phasePerKelvin": (1e-3, {**SPLIT, **SOAK}, WARM),
-    "pickOff.differentialPhase": (0.01, SPLIT, {}),
+    "pickOff.differentialPhase": (0.01, {"resonator.material.frequencySplit": 1.5e-3}, {}),
     "pickOff.offset": (0.01, {}, {}),
     "pickOff.offsetY": (0.01, {}, {}),
     "pickOff.feedthrough": (0.01, {**SPLIT, "resonator.material.frequencySplit": 0.02}, {}),

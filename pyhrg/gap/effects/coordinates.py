@@ -10,6 +10,7 @@ import numpy as np
 from pyhrg.bench.readings.first_order_lag import follow_with_lag
 from pyhrg.common.arrays import Array
 from pyhrg.common.caches.compiled import compile_loop
+from pyhrg.common.units import ARCSEC
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import EACH_POWER_ON
 from pyhrg.gap.replay.observations import ObservedTest
@@ -27,6 +28,11 @@ TEMPERATURE_POWERS = (1, 2, 3)
 """Powers of the temperature. Chosen."""
 HYSTERESIS_WIDTHS = (2, 5, 10, 20)
 """Widths of the temperature hysteresis, from end to end, K. Chosen."""
+LAST_MOTION = "direction of the last motion of the table"
+"""Words of the function that a backlash of the encoder's drive follows."""
+BACKLASH_WIDTH = 10 * ARCSEC
+"""Turn by which the table's direction of motion changes from -1 to 1, rad. Chosen: far above the
+noise of an encoder, far below a move."""
 THERMAL_LAGS = (600, 3600)
 """Time constants with which a part of the gyro follows the case's temperature, s. Chosen."""
 ZERO_TEMPERATURE_RATE = 0.05 / 60
@@ -83,6 +89,14 @@ class Coordinates:
     def harmonics(self) -> dict[int, Array]:
         """(n, 2) cosine and sine of each multiple of the pattern angle."""
         return {m: make_harmonic(m * self.pattern_angle) for m in PATTERN_HARMONICS}
+
+    @cached_property
+    def table_direction(self) -> Array:
+        """(n, 1) direction of the table's last motion, -1 to 1; 0 until it moves. By half the
+        backlash, with this sign, an encoder with backlash lags behind the table."""
+        turned = np.append(0.0, self.table_angle)
+        lag = turned - _follow_with_play(turned, BACKLASH_WIDTH)
+        return np.asarray(lag[1:, None] / (BACKLASH_WIDTH / 2))
 
     @cached_property
     def factors(self) -> dict[str, Array]:

@@ -20,6 +20,7 @@ from pyhrg.gap.replay.replay import estimate_thermometer_noise
 from pyhrg.gap.replay.simulation import compute_carrier_terms
 from pyhrg.gap.soundness.origin import is_origin_set
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, compute_temperature_slopes
+from pyhrg.gap.whitening.smoothing import is_coarsely_quantized, smooth_readings
 from pyhrg.gap.whitening.whitening import WhitenedSeries, whiten
 
 MAX_ORIGIN = 1.0
@@ -123,10 +124,14 @@ class LinearTest:
         simulated one; `angles` are the same series of the output angle, rad.
 
         Noise that turns the pattern then appears in the output angle alone
-        (docs/methods/effects.md, Eq. 3).
+        (docs/methods/effects.md, Eq. 3). Readings that are coarsely quantized are smoothed: their
+        error does not turn the pattern (Eq. 3a).
         """
         if channel == "gyro_angle":
             return series
+        if is_coarsely_quantized(self.device):
+            log = self.test.log
+            angles = smooth_readings(angles, np.isfinite(log.gyro_angle), log.interval, self.device)
         return series + self.bryan_factor * self.slopes[channel][:, None] * angles
 
 

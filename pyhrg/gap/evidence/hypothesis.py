@@ -24,7 +24,6 @@ from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.evidence.evidence import Fit
 from pyhrg.gap.evidence.jump_search import find_jumps, find_steps
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
-from pyhrg.gap.evidence.noise.quantization import find_quantization_step
 from pyhrg.gap.evidence.residuals import compute_residuals, distinct_by_groups
 from pyhrg.gap.evidence.search import Ranking, rank_sets
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, estimate_campaign_noise
@@ -201,7 +200,7 @@ def rank_under_noise(
     residuals = [
         compute_residuals(parts, r, channel_noise, nominal, ("gyro_angle",)) for r in removed
     ]
-    quantum, _ = find_quantization_step([part.test for part in parts]) or (0.0, 0.0)
+    quantum = nominal.quantization_step
     if jumps := {jump for r in residuals for jump in (*find_jumps(r), *find_steps(r, quantum))}:
         ordered = sorted(jumps, key=lambda jump: jump.words)
         exact = build_design(parts, channel_noise, model_error, ordered, tuple(forms.sigmas))

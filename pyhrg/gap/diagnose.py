@@ -5,9 +5,9 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from importlib import import_module
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pandas as pd
-from matplotlib.axes import Axes
 
 from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.extras import require_extra
@@ -46,6 +46,9 @@ from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
 from pyhrg.records import campaign as campaigns
 from pyhrg.records.campaign import Campaign
 from pyhrg.records.columns import BY_FIELD
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes  # slow, and needed by `plot` alone
 
 BEFORE_FILE, AFTER_FILE = "before.toml", "after.toml"
 """Device files of the nominal and of the identified device."""
@@ -126,7 +129,7 @@ class CampaignDiagnosis:
         table.attrs["units"] = units
         return table
 
-    def plot(self, test_id: str | None = None, axes: Axes | None = None) -> Axes:
+    def plot(self, test_id: str | None = None, axes: "Axes | None" = None) -> "Axes":
         """Draw the output-angle residual of one test before and after closing.
 
         Args:

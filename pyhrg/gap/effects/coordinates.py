@@ -86,6 +86,11 @@ class Coordinates:
         return [(c, w, m, v.reshape(len(v), -1)) for c, w, m, v in _generate_functions(self)]
 
     @cached_property
+    def harmonics(self) -> dict[int, Array]:
+        """(n, 2) cosine and sine of each multiple of the pattern angle."""
+        return {m: make_harmonic(m * self.pattern_angle) for m in PATTERN_HARMONICS}
+
+    @cached_property
     def table_direction(self) -> Array:
         """(n, 1) direction of the table's last motion, -1 to 1; 0 until it moves. By half the
         backlash, with this sign, an encoder with backlash lags behind the table."""
@@ -170,8 +175,7 @@ def _generate_functions(where: Coordinates) -> Functions:
 def _generate_angle_functions(where: Coordinates) -> Functions:
     yield "wave_angle", "mean over the pattern angle", 0, np.ones(len(where.pattern_angle))
     for m in PATTERN_HARMONICS:
-        words = f"harmonic {m} of the pattern angle"
-        yield "wave_angle", words, m, make_harmonic(m * where.pattern_angle)
+        yield "wave_angle", f"harmonic {m} of the pattern angle", m, where.harmonics[m]
     for m in TABLE_HARMONICS:
         words = f"harmonic {m} of the table angle"
         yield "table_angle", words, m, make_harmonic(m * where.table_angle)
@@ -179,9 +183,9 @@ def _generate_angle_functions(where: Coordinates) -> Functions:
 
 def _generate_anisotropies(where: Coordinates) -> Functions:
     """What an anisotropy of damping or stiffness gives that follows another coordinate."""
-    words, fourth = "harmonic 4 of the pattern angle", make_harmonic(4 * where.pattern_angle)
+    words = "harmonic 4 of the pattern angle"
     for coordinate, second in ANISOTROPY_FACTORS:
-        yield coordinate, *where.multiply(words, fourth, second)
+        yield coordinate, *where.multiply(words, where.harmonics[4], second)
 
 
 def _generate_temperature_functions(where: Coordinates) -> Functions:
@@ -205,9 +209,8 @@ def _generate_temperature_functions(where: Coordinates) -> Functions:
 def _generate_rate_functions(where: Coordinates) -> Functions:
     rate = where.table_rate
     for m in RATE_HARMONICS:
-        harmonic = make_harmonic(m * where.pattern_angle)
         words = f"harmonic {m} of the pattern angle"
-        yield "wave_angle", *where.multiply(words, harmonic, "the rate")
+        yield "wave_angle", *where.multiply(words, where.harmonics[m], "the rate")
     for p, words in ((1, "rate"), (2, "rate squared"), (3, "rate cubed")):
         yield "rate", words, None, rate**p
     yield "rate", "magnitude of the rate", None, np.abs(rate)

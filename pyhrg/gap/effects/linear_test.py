@@ -143,11 +143,15 @@ def whiten_terms(
     forms: Collection[Form],
     noise: CampaignNoise,
 ) -> WhitenedTerms:
-    """Products of a channel's columns. Those of the last noise and forms are kept: designs under
-    different noises of the output angle share the other channels."""
-    key = (noise.get_own_model(channel, part.test), tuple(outputs), tuple(forms))
+    """Products of a channel's columns. The last ones of each channel are kept: a search that begins
+    without linearization error repeats those of the one before, and designs under different noises
+    of the output angle share the other channels."""
+    if channel != "gyro_angle":
+        jumps = ()
+        forms = [f for f in forms if f.channel != "gyro_angle" or f.is_reading_error]
+    key = noise.get_own_model(channel, part.test), tuple(outputs), tuple(jumps), tuple(forms)
     kept = part.kept.get(channel)
-    if channel != "gyro_angle" and kept and kept[0] == key:
+    if kept and kept[0] == key:
         return kept[1]
     candidates: list[tuple[CandidateTerm, Array]] = [
         *build_term_columns(part.where, channel),
@@ -167,8 +171,7 @@ def whiten_terms(
     white = whiten_rows(part, channel, np.column_stack(series), noise)
     sizes = {term: values.shape[1] for term, values in candidates}
     terms = WhitenedTerms(sizes, white.series.T @ white.series, white.log_determinant)
-    if channel != "gyro_angle":
-        part.kept[channel] = key, terms
+    part.kept[channel] = key, terms
     return terms
 
 

@@ -123,10 +123,10 @@ def _generate_electrode_errors(where: Coordinates) -> Functions:
     """Errors of an angle at the electrodes."""
 
     def modulate(m: int, second: str) -> tuple[str, None, Array]:
-        return where.multiply(HARMONIC.format(m), make_harmonic(m * where.pattern_angle), second)
+        return where.multiply(HARMONIC.format(m), where.harmonics[m], second)
 
     for m in ELECTRODE_HARMONICS:
-        yield "wave_angle", HARMONIC.format(m), m, make_harmonic(m * where.pattern_angle)
+        yield "wave_angle", HARMONIC.format(m), m, where.harmonics[m]
     for m in (2, 4):
         yield "temperature", *modulate(m, "the temperature")
         for words in FORCES:
@@ -149,7 +149,7 @@ def _generate_drive_gains(where: Coordinates, channel: str) -> Iterator[PlacedTe
 
     for m in ELECTRODE_HARMONICS:
         term = _make_term("amplitude_force", "wave_angle", HARMONIC.format(m), m, "drive gain")
-        yield term, make_harmonic(m * where.pattern_angle), weaken
+        yield term, where.harmonics[m], weaken
 
 
 def _generate_free_decay(where: Coordinates) -> Iterator[PlacedTerm]:

@@ -75,7 +75,7 @@ def compute_checked_residuals(
     """
     noise = hypothesis.channel_noise
     channels = CHANNELS[1:] if is_coarsely_quantized(nominal) else CHANNELS
-    errors = {(b.test, b.channel): b.model_error for b in hypothesis.design.blocks}
+    errors = hypothesis.design.model_error
     return [
         r
         for r in compute_residuals(parts, removed, noise, nominal, channels, errors)

@@ -49,12 +49,15 @@ class Flown:
         witnesses: witness channels of the gyro's flight.
         prior: prior of the gyro's changes.
         responses: responses of the device; its noise is that of the forces.
+        delay_sigma: standard deviation of the prior of the time by which the amplitude force was
+            recorded late, s; the other channels have one clock.
     """
 
     device: Device
     witnesses: Witnesses
     prior: Prior
     responses: Responses
+    delay_sigma: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -70,6 +73,8 @@ class FittedChanges:
         burst_share: share of the rows that were limited.
         p_value: probability of innovations as far from white as these, if the model holds.
         moved: normalised square of what the last stage changed.
+        delay, delay_sigma: time by which the amplitude force was recorded late, with its standard
+            deviation, s.
     """
 
     changes: Array
@@ -80,6 +85,8 @@ class FittedChanges:
     burst_share: float
     p_value: float
     moved: float
+    delay: float
+    delay_sigma: float
 
     @property
     def is_explained(self) -> bool:
@@ -137,17 +144,19 @@ def _fit_stage(
     residuals = _average(replayed.residuals, witnesses.interval)
     told = np.isfinite(residuals).all(axis=0)
     design = _average_design(responses, replayed.motion)
+    late = _average_delay(witnesses.forces - replayed.residuals, witnesses.interval)
+    scaled = np.concatenate([design @ root, gyro.delay_sigma * late[:, :, None]], axis=2)
     # the replay leaves out the bias by the rate of temperature
     values = residuals + design @ (np.where(TEMPERATURE_RATE, 0.0, start) - prior.mean)
     filtered = filter_rows(
-        design[:, told] @ root,
+        scaled[:, told],
         values[:, told],
         noise[told],
-        np.eye(COUNT),
+        np.eye(COUNT + 1),
         np.maximum(scatter, noise)[told],
     )
-    changes = prior.mean + root @ filtered.mean
-    covariance = root @ filtered.covariance @ root.T
+    changes = prior.mean + root @ filtered.mean[:COUNT]
+    covariance = root @ filtered.covariance[:COUNT, :COUNT] @ root.T
     return FittedChanges(
         changes=changes,
         covariance=covariance,
@@ -157,6 +166,8 @@ def _fit_stage(
         burst_share=float(np.mean(filtered.weights < 1)),
         p_value=filtered.p_value,
         moved=compute_normalized_square(changes - start, covariance)[0],
+        delay=gyro.delay_sigma * float(filtered.mean[COUNT]),
+        delay_sigma=gyro.delay_sigma * float(np.sqrt(filtered.covariance[COUNT, COUNT])),
     )
 
 
@@ -171,6 +182,12 @@ def _average_design(responses: Responses, motion: Motion) -> Array:
         design[:, :, acting] = np.einsum("bt,cft->bfc", rows, flat[acting])
     changing = compute_change_design(responses.forces, motion, responses.angular_gain)
     return design + _average(changing, motion.interval)
+
+
+def _average_delay(forces: Array, interval: float) -> Array:
+    """(b, 2) change of blocks of simulated forces (n, 2) per second of delay of the first one."""
+    slopes = np.gradient(forces, interval, axis=0)
+    return _average(slopes * np.array([-1.0, 0.0]), interval)
 
 
 def _measure_scatter(fast: GyroFmu, devices: Sequence[Device]) -> Array:

@@ -149,22 +149,30 @@ def print_electronics(flights: int, minutes: int) -> None:
                 )
             )
             row = "".join(f"{value:8.2f}" for value in electronics.list_figures(found))
-            print(f"self-test {self_test!s:6s} drift {drifts!s:6s}{row}", flush=True)
+            followed = sum(each.is_followed for each in found)
+            print(
+                f"self-test {self_test!s:6s} drift {drifts!s:6s}{row}  followed {followed}",
+                flush=True,
+            )
             if drifts:
                 low, high = electronics.bootstrap_ratio(found)
                 print(f"    left over change, 95 % interval: {low:.2f} to {high:.2f}", flush=True)
 
 
 def print_outside() -> None:
-    print("rms error of the bias map, mdeg/h: with the log, without it; ratios; followed")
+    print("rms error of the bias map, mdeg/h: with the log, without it, by the electronics")
+    print("ratios with the log, logs that are followed; estimates of the electronics that are")
     ratios = []
-    for each in outside.compare_changes(load_fmu("HRG"), load_fmu("HRGSlow")):
-        told, believed = (
-            1e3 * np.sqrt(np.mean(errors**2)) / DEG_PER_H for errors in (each.told, each.believed)
+    fmus = load_fmu("HRG"), load_fmu("HRGSlow"), GyroFmu(build_fmu("HRGSelfCorrecting"))
+    for each in outside.compare_changes(*fmus):
+        told, believed, corrected = (
+            1e3 * np.sqrt(np.mean(errors**2)) / DEG_PER_H
+            for errors in (each.told, each.believed, each.corrected)
         )
         listed = " ".join(f"{ratio:.2f}" for ratio in sorted(each.ratio))
         count = f"{each.followed.sum()} of {len(each.followed)}"
-        print(f"{each.field:24s}{told:8.2f}{believed:8.2f}  {listed}  {count}", flush=True)
+        row = f"{told:8.2f}{believed:8.2f}{corrected:8.2f}  {listed}  {count}"
+        print(f"{each.field:24s}{row}, {each.electronics_followed.sum()}", flush=True)
         ratios.append(each.ratio)
     print(f"90th percentile of all ratios: {np.quantile(ratios, 0.9):.2f}")
 

@@ -26,7 +26,7 @@ CONVERGENCE_CHI2 = 1.0
 square. Chosen."""
 CORRECTION_CHI2 = 10.0
 """Largest move of the changes, as a normalised square, that what `HRG` shows beyond `HRGSlow` is
-taken to survive. Derived: a move by 1e5 made it wrong by 200, so 10 makes it wrong by 0.02."""
+taken to survive. Derived: a move by 2e5 made it wrong by 235, so 10 makes it wrong by 0.01."""
 BLOCK = 5.0
 """Time over which rows are averaged before they are compared, s. Chosen: pick-off noise, which the
 loops differentiate, is then below force noise."""
@@ -49,12 +49,15 @@ class Flown:
         witnesses: witness channels of the gyro's flight.
         prior: prior of the gyro's changes.
         responses: responses of the device; its noise is that of the forces.
+        delay_sigma: standard deviation of the prior of the time by which the amplitude force was
+            recorded late, s; the other channels have one clock.
     """
 
     device: Device
     witnesses: Witnesses
     prior: Prior
     responses: Responses
+    delay_sigma: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -70,6 +73,8 @@ class FittedChanges:
         burst_share: share of the rows that were limited.
         p_value: probability of innovations as far from white as these, if the model holds.
         moved: normalised square of what the last stage changed.
+        delay, delay_sigma: time by which the amplitude force was recorded late, with its standard
+            deviation, s.
     """
 
     changes: Array
@@ -80,6 +85,8 @@ class FittedChanges:
     burst_share: float
     p_value: float
     moved: float
+    delay: float
+    delay_sigma: float
 
     @property
     def is_explained(self) -> bool:
@@ -92,9 +99,9 @@ def fit_changes(fast: GyroFmu, slow: GyroFmu, gyros: Sequence[Flown]) -> list[Fi
     """The mechanisms' changes of gyros in flights of one length, by Gauss-Newton.
 
     Each stage replays the gyros with the changes of the last one and filters all rows. The first
-    stage knows `HRGSlow` alone. After it sensitivities are taken anew, once: later stages move the
-    changes by little. A gyro that has settled is left alone, so that its estimate does not depend
-    on the others.
+    stage knows `HRGSlow` alone. Later ones take sensitivities and what `HRG` shows beyond `HRGSlow`
+    anew, as long as changes move. A gyro that has settled is left alone, so that its estimate does
+    not depend on the others.
 
     fast: `HRG`; slow: `HRGSlow`.
     """
@@ -106,10 +113,10 @@ def fit_changes(fast: GyroFmu, slow: GyroFmu, gyros: Sequence[Flown]) -> list[Fi
     for stage in range(STAGES):
         starts = {n: fitted[n].changes if stage else gyros[n].prior.mean for n in moving}
         changed = {n: change_device(gyros[n].device, starts[n]) for n in moving}
-        if stage == 1:
-            for n in moving:
-                responses[n] = measure_responses(slow, changed[n], responses[n].noise)
         if stage:
+            for n in moving:
+                if not followed[n].is_corrected:
+                    responses[n] = measure_responses(slow, changed[n], responses[n].noise)
             replays = follow((fast, slow), changed, followed)
         else:
             replays = follow_slowly(slow, changed, followed)
@@ -137,17 +144,19 @@ def _fit_stage(
     residuals = _average(replayed.residuals, witnesses.interval)
     told = np.isfinite(residuals).all(axis=0)
     design = _average_design(responses, replayed.motion)
+    late = _average_delay(witnesses.forces - replayed.residuals, witnesses.interval)
+    scaled = np.concatenate([design @ root, gyro.delay_sigma * late[:, :, None]], axis=2)
     # the replay leaves out the bias by the rate of temperature
     values = residuals + design @ (np.where(TEMPERATURE_RATE, 0.0, start) - prior.mean)
     filtered = filter_rows(
-        design[:, told] @ root,
+        scaled[:, told],
         values[:, told],
         noise[told],
-        np.eye(COUNT),
+        np.eye(COUNT + 1),
         np.maximum(scatter, noise)[told],
     )
-    changes = prior.mean + root @ filtered.mean
-    covariance = root @ filtered.covariance @ root.T
+    changes = prior.mean + root @ filtered.mean[:COUNT]
+    covariance = root @ filtered.covariance[:COUNT, :COUNT] @ root.T
     return FittedChanges(
         changes=changes,
         covariance=covariance,
@@ -157,6 +166,8 @@ def _fit_stage(
         burst_share=float(np.mean(filtered.weights < 1)),
         p_value=filtered.p_value,
         moved=compute_normalized_square(changes - start, covariance)[0],
+        delay=gyro.delay_sigma * float(filtered.mean[COUNT]),
+        delay_sigma=gyro.delay_sigma * float(np.sqrt(filtered.covariance[COUNT, COUNT])),
     )
 
 
@@ -171,6 +182,12 @@ def _average_design(responses: Responses, motion: Motion) -> Array:
         design[:, :, acting] = np.einsum("bt,cft->bfc", rows, flat[acting])
     changing = compute_change_design(responses.forces, motion, responses.angular_gain)
     return design + _average(changing, motion.interval)
+
+
+def _average_delay(forces: Array, interval: float) -> Array:
+    """(b, 2) change of blocks of simulated forces (n, 2) per second of delay of the first one."""
+    slopes = np.gradient(forces, interval, axis=0)
+    return _average(slopes * np.array([-1.0, 0.0]), interval)
 
 
 def _measure_scatter(fast: GyroFmu, devices: Sequence[Device]) -> Array:

@@ -38,7 +38,7 @@ FILE = Path("docs/witness-flown.csv")
 """A row for each triad, mission and duration of the self-test: flights of `HOURS`, of `SEED`.
 Column `commit` names the code that flew."""
 DIGITS = 5
-KEYS = ("calibration", "effects", "triad", "mission")
+KEYS = ("calibration", "triad", "mission", "effects")
 NONE = "-"
 """Effects outside the model of a triad that has none."""
 

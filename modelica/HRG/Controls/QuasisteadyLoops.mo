@@ -36,6 +36,7 @@ block QuasisteadyLoops "Loops that follow at once, and the forces they need"
   output Units.AngularVelocity lostRate "Rotation that the drives' authority takes away, as a command";
   output Units.RelativeForce force[4] "Mean force that readings show, {cos x, sin x, cos y, sin y}";
 protected
+  final parameter Units.DampingCoefficient perPeriod = 1/samplePeriod "Of the memories of a period";
   final parameter Units.DampingCoefficient quickness = 1/(3*samplePeriod) "Of the loops";
   Units.DimensionlessRatio commandShare "Rate of the modal angle per commanded one";
   Units.AngularVelocity freeTurning "Rate of the modal angle without a command";
@@ -53,15 +54,20 @@ protected
   Units.DimensionlessRatio effort "Command over force on the shell; 0 where the drive does not hold the orbit, and in the first period";
   discrete Units.DimensionlessRatio started(start = 0, fixed = true) "1 from the first sample on";
   discrete Units.DimensionlessRatio passed(start = 0, fixed = true) "1 from the second sample on";
-  discrete Units.DimensionlessRatio last[5](each start = 0, each fixed = true)
-    "At the last sample: amplitude, quadrature, phase, errors of the detected quadrature, that of the amplitude taken out, and phase";
-  discrete Units.DimensionlessRatio change[5](each start = 0, each fixed = true) "Of them over the last period";
+  Units.RelativeDisplacement quadratureError "Of the detected quadrature, with the gain of the amplitude taken out";
+  Units.RelativeDisplacement lastQuadratureError(start = 0, fixed = true) "The same a period before";
+  Units.Angle lastPhaseError(start = 0, fixed = true) "Error of the detected phase a period before";
+  discrete Units.DimensionlessRatio last[3](each start = 0, each fixed = true) "Amplitude, quadrature and phase at the last sample";
+  discrete Units.DimensionlessRatio change[3](each start = 0, each fixed = true) "Of them over the last period";
   discrete Units.RelativeForce lastSquare(start = 0, fixed = true) "Force on the node in quadrature at the last sample";
   discrete Units.RelativeForce squareChange(start = 0, fixed = true) "Its change over the last period";
   Units.DampingCoefficient mean[3] "Their mean rates over the last period";
 equation
   command = noEvent(if driveOn > 0 then 1/driveOn else 0);
   detection = deviation(analogue, axes);
+  quadratureError = detection[2]*amplitude/detection[1] - quadrature;
+  der(lastQuadratureError) = perPeriod*(quadratureError - lastQuadratureError);
+  der(lastPhaseError) = perPeriod*(detection[3] - lastPhaseError);
   commandShare = (1 - rebalance)*2*driveOn;
   freeTurning = rebalance*2*sweepRate*driveOn - (1 - rebalance)*coupling;
   turning = commandShare*patternRate + freeTurning;
@@ -75,16 +81,16 @@ equation
     freeRates, amplitude, quadrature, axes, detection[1], aim, driveGain, pumpGain, parametricShare, authority, driveOn,
     {quickness*(modalAim - modalAngle - detection[6]) + 2*sweepRate,
      quickness*(amplitudeAim - detection[1]) + amplitudeRate,
-     quickness*(quadratureAim - detection[2] - 3*change[4]),
-     quickness*(phaseAim - phase - detection[3] - 3*change[5])},
+     quickness*(quadratureAim - detection[2] - 3*(quadratureError - lastQuadratureError)),
+     quickness*(phaseAim - phase - detection[3] - 3*(detection[3] - lastPhaseError))},
     patternRate*(1 - 1/3*hold*hold), rebalance);
-  der(antinode) = ((1 - parametricShare)*motion[5] - antinode)/samplePeriod;
-  der(node) = (motion[7] - node)/samplePeriod;
-  der(square) = (motion[6] - square)/samplePeriod;
+  der(antinode) = perPeriod*((1 - parametricShare)*motion[5] - antinode);
+  der(node) = perPeriod*(motion[7] - node);
+  der(square) = perPeriod*(motion[6] - square);
   when tick then
     passed = pre(started);
     started = 1;
-    last = {amplitude, quadrature, phase, detection[2]*amplitude/detection[1] - quadrature, detection[3]};
+    last = {amplitude, quadrature, phase};
     change = last - pre(last);
     squareChange = square - pre(lastSquare);
     lastSquare = square;
@@ -109,8 +115,8 @@ three output periods, and forces follow at once; what is slower than that is as 
 amplitude leaves by misaimed forces is right within 3 % up to a factor of three. Inputs and temperature are held from sample to sample, so that the loops catch up with a pick-off's gain or phase in steps. They leave r = 1 - 1/3 + 1/18 of each step
 by the end of its period: of the mean that a force needs, its value there is r/(3 (1 - r)) = 13/15, or 1/(3 (1 - r)) = 6/5 where the next step has come. Forces and reference
 that are shown are therefore means of the last period. In time division a reading is half a control period of the holding force below the mean, and shows no force that rotates. While the pattern
-turns, a pick-off asks for a quadrature and a phase that change. Real loops follow without a lag of first order. Here the loop is three periods late, and it is led by three changes of a period;
-the force that a reading shows is one period late, and it is led by one. Amplitude is not led. Not in here: the loops' own transients, their
+turns, a pick-off asks for a quadrature and a phase that change. Real loops follow without a lag of first order. Here the loop is three periods late, and it is led by three times the change of its error over a period;
+the force that a reading shows is one period late, and it is led by one change. Amplitude is not led. Not in here: the loops' own transients, their
 response to overload, and the noise of pick-offs on its way through them. With the drive off an orbit that becomes a circle
 (a split that turns quadrature up to the amplitude) has no antinode, and the elements of the orbit end there.</p>
 </html>"));

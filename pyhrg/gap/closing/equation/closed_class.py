@@ -9,6 +9,7 @@ from typing import Any
 
 from pyhrg.common.units import ARCSEC
 from pyhrg.device.device import Device
+from pyhrg.device.parameter_set import convert_value
 from pyhrg.gap.closing.equation.places import Acting, find_acting
 from pyhrg.gap.closing.equation.proposal import as_candidate, list_written
 from pyhrg.gap.effects.coordinates import BACKLASH_WIDTH, HYSTERESIS_WIDTHS, THERMAL_LAGS
@@ -144,7 +145,7 @@ def _split_values(device: Device) -> dict[str, dict[str, float]]:
     split: dict[str, dict[str, float]] = {"inputs": {}, "start": {}, "gyro": {}}
     for name, value in values.items():
         kind = "gyro" if "." in name else "start" if name.startswith("start") else "inputs"
-        split[kind][name] = float(value)
+        split[kind][name] = convert_value(name, value)
     return split
 
 

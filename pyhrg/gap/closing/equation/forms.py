@@ -137,19 +137,17 @@ def _cycle(harmonic: int, period: str) -> tuple[Basis, ...]:
 
 
 def _change(words: str) -> tuple[Basis, ...]:
-    """Unit steps at the times of a jump, each in its test alone."""
-    return tuple(
-        Basis(
-            f"jump{number}",
-            f"[t >= {time:g} s in {test}]",
-            f"(if hours*3600 < {time!r} then 0 else 1)",
-            1.0,
-            "",
-            ("hours",),
-            test,
+    """Unit steps at the times of a jump, each in its test alone; no relations, which would be
+    events."""
+
+    def step(number: int, test: str, time: float) -> Basis:
+        late = f"(hours*3600 - {time!r})"
+        modelica = f"(1 + {late}/(abs({late}) + 1e-9))/2"
+        return Basis(
+            f"jump{number}", f"[t >= {time:g} s in {test}]", modelica, 1.0, "", ("hours",), test
         )
-        for number, (test, time) in enumerate(parse_times(words), 1)
-    )
+
+    return tuple(step(number, *change) for number, change in enumerate(parse_times(words), 1))
 
 
 def _power(coordinate: Coordinate, stem: str, power: int, unit_scale: float) -> Basis:

@@ -130,9 +130,9 @@ def test_no_gap_no_term_but_an_fmu(simulation: Simulation, tmp_path: Path) -> No
 def test_every_candidate_term_can_be_written_at_once(
     diagnosed: CampaignDiagnosis, simulation: Simulation
 ) -> None:
-    """All terms at once build, beside errors of the pick-offs; without sizes they change nothing. A
-    jump acts in its own test, from its time on."""
-    device = replace(NOMINAL, pickoff_nonorthogonality=1e-4)
+    """All terms at once build, beside errors of the pick-offs and a mode that is a whole number;
+    without sizes they change nothing. A jump acts in its own test, from its time on."""
+    device = replace(NOMINAL, pickoff_nonorthogonality=1e-4, time_division=1)
     part = diagnosed.attribution.parts[-1]
     terms = {}
     for channel in CHANNELS:

@@ -11,6 +11,7 @@ flown [CALIBRATION sealed TRIADS FIRST]
                            flies triads on the FMU at 1 kHz, from number FIRST on; with the word
                            sealed, each gyro has a form outside the model. Those whose rows
                            docs/witness-flown.csv has are not flown again
+tables                     writes the tables of these rows into docs/witness-results.md
 benched [GYROS]            NEES of estimates with an error of the bench, and of their maps
 electronics [FLIGHTS MINUTES]
                            bias maps that the estimator in the electronics corrects, of gyros that
@@ -24,7 +25,7 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.stats import chi2
 
-from benchmarks.witness import benched, bounds, electronics, flown, outside, study
+from benchmarks.witness import benched, bounds, electronics, flown, outside, study, tables
 from fmu_build.bundle import build_fmu
 from ins_eval.study.experiment import load_fmu
 from ins_eval.study.gyros.drawn_triad import (
@@ -189,6 +190,8 @@ if __name__ == "__main__":
         print_confounded()
     elif command == "flown":
         fly(words, *(numbers + [FLOWN, FIRST_FLOWN][len(numbers) :]))
+    elif command == "tables":
+        print(tables.write_tables())
     elif command == "benched":
         print_benched(*(numbers or [BENCHED]))
     elif command == "electronics":

@@ -26,7 +26,7 @@ CONVERGENCE_CHI2 = 1.0
 square. Chosen."""
 CORRECTION_CHI2 = 10.0
 """Largest move of the changes, as a normalised square, that what `HRG` shows beyond `HRGSlow` is
-taken to survive. Derived: a move by 1e5 made it wrong by 200, so 10 makes it wrong by 0.02."""
+taken to survive. Derived: a move by 2e5 made it wrong by 235, so 10 makes it wrong by 0.01."""
 BLOCK = 5.0
 """Time over which rows are averaged before they are compared, s. Chosen: pick-off noise, which the
 loops differentiate, is then below force noise."""
@@ -99,9 +99,9 @@ def fit_changes(fast: GyroFmu, slow: GyroFmu, gyros: Sequence[Flown]) -> list[Fi
     """The mechanisms' changes of gyros in flights of one length, by Gauss-Newton.
 
     Each stage replays the gyros with the changes of the last one and filters all rows. The first
-    stage knows `HRGSlow` alone. After it sensitivities are taken anew, once: later stages move the
-    changes by little. A gyro that has settled is left alone, so that its estimate does not depend
-    on the others.
+    stage knows `HRGSlow` alone. Later ones take sensitivities and what `HRG` shows beyond `HRGSlow`
+    anew, as long as changes move. A gyro that has settled is left alone, so that its estimate does
+    not depend on the others.
 
     fast: `HRG`; slow: `HRGSlow`.
     """
@@ -113,10 +113,10 @@ def fit_changes(fast: GyroFmu, slow: GyroFmu, gyros: Sequence[Flown]) -> list[Fi
     for stage in range(STAGES):
         starts = {n: fitted[n].changes if stage else gyros[n].prior.mean for n in moving}
         changed = {n: change_device(gyros[n].device, starts[n]) for n in moving}
-        if stage == 1:
-            for n in moving:
-                responses[n] = measure_responses(slow, changed[n], responses[n].noise)
         if stage:
+            for n in moving:
+                if not followed[n].is_corrected:
+                    responses[n] = measure_responses(slow, changed[n], responses[n].noise)
             replays = follow((fast, slow), changed, followed)
         else:
             replays = follow_slowly(slow, changed, followed)

@@ -31,6 +31,8 @@ STEP = 0.01
 SLOW_STEP = 0.1
 """Longest communication step of `HRGSlow`, and its sample period, s. Chosen: a replay then takes a
 twentieth of the time of one of `HRG`."""
+SHORTEST_ROW = 0.01
+"""Shortest row that is replayed, s: the shortest sample period of `HRGSlow`."""
 SMOOTHING = 10.0
 """Time over which the frequency is averaged to give the temperature, s. Chosen: longer than
 `SOAKED_LAG`, so that rounds converge, and shorter than any thermal lag."""
@@ -69,6 +71,23 @@ class Witnesses:
             self.frequency[:count],
             self.virtual_rotation[:count],
             self.specific_force[:count],
+        )
+
+    def merge(self, parts: int) -> "Witnesses":
+        """Rows of so many rows each; what is left at the end is left out."""
+        count = len(self.forces) // parts
+
+        def average(values: Array) -> Array:
+            rows = values[: count * parts].reshape(count, parts, *values.shape[1:])
+            return np.asarray(rows.mean(axis=1))
+
+        return Witnesses(
+            self.interval * parts,
+            self.angle[: count * parts + 1 : parts],
+            average(self.forces),
+            average(self.frequency),
+            average(self.virtual_rotation),
+            average(self.specific_force),
         )
 
 
@@ -112,7 +131,8 @@ class Course:
 
 
 def read_witnesses(log: Log, device: Device) -> Witnesses:
-    """The longest stretch of a log without a gap. One of the forces may be missing.
+    """The longest stretch of a log without a gap, in rows of at least `SHORTEST_ROW`. One of the
+    forces may be missing.
 
     Raises:
         LogError: a column that is required, or both forces, have no values.
@@ -136,7 +156,7 @@ def read_witnesses(log: Log, device: Device) -> Witnesses:
             f"{2 * SETTLING:g} s or more"
         )
     accelerations = [log.acceleration_x, log.acceleration_y, log.acceleration_z]
-    return Witnesses(
+    witnesses = Witnesses(
         interval=log.interval,
         angle=log.wave_angle[stretch],
         forces=np.stack([log.amplitude_force[rows], log.quadrature_force[rows]], axis=1),
@@ -144,6 +164,7 @@ def read_witnesses(log: Log, device: Device) -> Witnesses:
         virtual_rotation=np.nan_to_num(log.virtual_rotation[rows]),
         specific_force=np.nan_to_num(np.stack(accelerations, axis=1)[rows]),
     )
+    return witnesses.merge(max(1, math.ceil(SHORTEST_ROW / log.interval - 1e-9)))
 
 
 def _list_nominal_commands(device: Device) -> dict[str, float]:

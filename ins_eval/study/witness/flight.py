@@ -71,7 +71,6 @@ def fly_with_channels(
     disturbances: effects outside the model, of each triad's gyros; none by default.
     """
     true = truth.increments
-    count = len(true) - len(true) % round(ROW / true.interval)
     rotation = rotate_virtually(true.bounds[:-1] + STILL, self_test)
     seeds = [make_noise_seeds(each) for each in noise]
     disturbed = [
@@ -105,7 +104,7 @@ def fly_with_channels(
         start = [[f.power_on_angle for f in triad.flights]]
         patterns = np.concatenate([start, read[:, gyros, 1]])
         witnesses = tuple(
-            _gather_witnesses(truth, patterns, averaged[:, gyros], rotation, axis, count)
+            _gather_witnesses(truth, patterns, averaged[:, gyros], rotation, axis)
             for axis in range(AXES)
         )
         measured = make_increments(truth, triad, read[:, gyros, 0], accelerometers)
@@ -147,24 +146,14 @@ def _record_piece(
 
 
 def _gather_witnesses(
-    truth: MissionTruth,
-    patterns: Array,
-    means: Array,
-    rotation: Array,
-    axis: int,
-    count: int,
+    truth: MissionTruth, patterns: Array, means: Array, rotation: Array, axis: int
 ) -> Witnesses:
-    parts = round(ROW / truth.increments.interval)
-
-    def average(values: Array) -> Array:
-        return np.asarray(values[:count].reshape(-1, parts, *values.shape[1:]).mean(axis=1))
-
-    channels = average(means[:, axis])
+    interval = truth.increments.interval
     return Witnesses(
-        interval=ROW,
-        angle=patterns[: count + 1 : parts, axis],
-        forces=channels[:, :2],
-        frequency=channels[:, 2],
-        virtual_rotation=average(rotation),
-        specific_force=average(truth.forces[axis]),
-    )
+        interval=interval,
+        angle=patterns[:, axis],
+        forces=means[:, axis, :2],
+        frequency=means[:, axis, 2],
+        virtual_rotation=rotation,
+        specific_force=truth.forces[axis],
+    ).merge(round(ROW / interval))

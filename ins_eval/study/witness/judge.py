@@ -98,7 +98,7 @@ def _score(group: FlightGroup, seed: int) -> Iterator[tuple[str, str, Estimate]]
         corrected = np.linalg.norm(group.select_pair(key), axis=-1)
         if np.isfinite(corrected).all():
             yield CORRECTED, key, estimate(compute_size_ratio, radial, corrected)
-            yield WORST, key, estimate(_compute_worst_tenth, corrected / radial)
+            yield WORST, key, estimate(compute_worst_tenth, corrected / radial)
     by_bench = group.select_pair("by_bench")
     added = group.select_pair("told") - group.select_pair("known")
 
@@ -118,7 +118,7 @@ def compute_size_ratio(flown: Array, corrected: Array) -> Array:
     return np.asarray(medians[0] / medians[1])
 
 
-def _compute_worst_tenth(ratios: Array) -> Array:
+def compute_worst_tenth(ratios: Array) -> Array:
     """(...,) ratio that a tenth of the flights (..., r, m) exceeds."""
     return np.asarray(np.quantile(ratios, 0.9, axis=(-2, -1)))
 

@@ -154,8 +154,9 @@ def test_an_amplitude_force_that_is_late_is_put_right(flights: list[Flight]) -> 
 def test_what_has_not_settled_is_not_followed(
     flights: list[Flight], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """One stage leaves an error of its own relative size, and the forces alone do not show it."""
-    monkeypatch.setattr("pyhrg.witness.fit.STAGES", 1)
+    """Two stages leave an error of what `HRG` shows beyond `HRGSlow`, and the forces alone do not
+    show it."""
+    monkeypatch.setattr("pyhrg.witness.fit.STAGES", 2)
     found = pyhrg.estimate_map(flights[0].log, GYRO, PRIOR)
     assert np.array_equal(found.changes, PRIOR.mean)
     assert "has not settled: the log is not followed" in found.summary

@@ -1,5 +1,7 @@
 """One triad whose channels are read in a short flight on the FMU, and the errors of its bench."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.stats import chi2
@@ -18,6 +20,8 @@ from ins_eval.study.gyros.population import RAW
 from ins_eval.study.predictors.prediction_columns import select_time
 from ins_eval.study.witness.believed import BelievedGyro
 from ins_eval.study.witness.block import TESTS, believe_triad, witness_triads
+from ins_eval.study.witness.flight import fly_with_channels
+from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.common.arrays import Array
 from pyhrg.fmu import GyroFmu
 
@@ -92,3 +96,24 @@ def test_an_error_of_the_bench_is_drawn(triad: DrawnTriad, believed: list[Believ
     errors = np.array([each.device.damping_anisotropy for each in believed]) - sizes
     assert np.all((np.abs(errors) > 0) & (np.abs(errors) < 0.014 * sizes))
     assert all(each.device.bias_per_acceleration == 0 for each in believed)
+
+
+def test_an_effect_outside_the_model_flies_and_is_recorded(
+    fmu: GyroFmu, truth: MissionTruth, triad: DrawnTriad
+) -> None:
+    """A rate turns the output; what a form adds to a log stands in the channels."""
+    rate, decay = 1e-6, 1e-7
+    effect = Disturbance(
+        rate=lambda course, start: np.array([[rate]]),
+        shown=lambda log: replace(log, amplitude_force=log.amplitude_force + decay),
+    )
+    noise = [seed_noise(triad, 3)]
+    as_built, disturbed = (
+        fly_with_channels(fmu, truth, [triad], noise, disturbances=effects)[0]
+        for effects in ([], [[effect] * 3])
+    )
+    turned = (disturbed.measured.rotation - as_built.measured.rotation).sum(axis=0)
+    duration = truth.increments.interval * len(truth.increments)
+    assert turned == pytest.approx(np.full(3, rate * duration), rel=1e-3)
+    added = disturbed.witnesses[0].forces[:, 0] - as_built.witnesses[0].forces[:, 0]
+    assert np.median(added) == pytest.approx(decay, rel=1e-2)

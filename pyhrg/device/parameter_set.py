@@ -35,11 +35,15 @@ def format_values(values: Mapping[str, float], description: str = "") -> str:
     if description:
         root.set("description", description)
     parameters = ET.SubElement(root, f"{{{SPACES['ssv']}}}Parameters")
-    integers = list_integers(find_modelica())
     for key, value in sorted(values.items()):
         parameter = ET.SubElement(parameters, f"{{{SPACES['ssv']}}}Parameter", name=key)
-        if key.rpartition(".")[2] in integers:
-            ET.SubElement(parameter, f"{{{SPACES['ssv']}}}Integer", value=str(int(value)))
-        else:
-            ET.SubElement(parameter, f"{{{SPACES['ssv']}}}Real", value=repr(float(value)))
+        typed = convert_value(key, value)
+        kind = "Integer" if isinstance(typed, int) else "Real"
+        ET.SubElement(parameter, f"{{{SPACES['ssv']}}}{kind}", value=repr(typed))
     return format_xml(root)
+
+
+def convert_value(name: str, value: float) -> int | float:
+    """A value of an FMU's parameter in the type that the library declares: Integer or Real."""
+    integers = list_integers(find_modelica())
+    return int(value) if name.rpartition(".")[2] in integers else float(value)

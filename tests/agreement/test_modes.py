@@ -36,6 +36,22 @@ def test_ring_down_gives_decay_time_and_damping_axis(fmu: GyroFmu) -> None:
         assert growth == pytest.approx(-1 / TAU, rel=0.05)
 
 
+def test_a_gyro_that_rang_down_goes_on(fmu: GyroFmu) -> None:
+    """After 1000 decay times it turns as before, invalid, of a size below thermal motion; switched
+    on again it is as new, but for the angle by which the force's aim lags the pattern."""
+    with fmu.power_on({"resonator.material.decayTime": 1.0}, seed=0, start_angle=0.2) as gyro:
+        advance(gyro, 0.01, 1.0)
+        gyro.command("driveOn", 0.0)
+        begin = advance(gyro, 0.01, 900.0)
+        assert advance(gyro, 0.01, 100.0) - begin == pytest.approx(1.0, rel=1e-9)
+        assert gyro.read("valid") == 0
+        assert 0 < gyro.read("amplitude") <= 1e-9
+        gyro.command("driveOn", 1.0)
+        on_again = advance(gyro, 0.01, 10.0)
+        assert gyro.read("valid") == 1
+        assert advance(gyro, 0.01, 10.0) - on_again == pytest.approx(0.1, rel=1e-3)
+
+
 def test_force_to_rebalance_holds_the_pattern_and_measures(fmu: GyroFmu) -> None:
     with fmu.power_on({"controller.forceToRebalance": 1}, seed=0, start_angle=20 * DEG) as gyro:
         advance(gyro, 1 * DEG, 2.0)

@@ -4,12 +4,14 @@ as in `test_mechanisms`."""
 import math
 from collections.abc import Mapping
 
+import numpy as np
 import pytest
 
+from fmu_build.bundle import build_fmu
 from pyhrg.common.units import DEG
 from pyhrg.fmu import Gyro, GyroFmu
 from tests.agreement.mechanisms import TAU, K
-from tests.driving import advance
+from tests.driving import advance, drive
 
 
 @pytest.mark.parametrize("delay", [0.0, 5e-4, 3e-3])
@@ -77,3 +79,21 @@ def test_19_lock_in_follows_adler(fmu: GyroFmu) -> None:
         before = advance(gyro, 2 * limit, 50.0)
         mean = (advance(gyro, 2 * limit, period) - before) / period
     assert mean == pytest.approx(math.sqrt(3) * limit, rel=1e-3)
+
+
+@pytest.mark.parametrize("fidelity", ["HRG", "HRGSlow"])
+def test_40_time_division_in_a_turn_is_its_bias_along_the_pattern(fidelity: str) -> None:
+    """Integral of B = -(dw^2 Ts/16k) sin 8 th, th' = -k W: (dw^2 Ts/(128 k^2 W)) (cos 8 th_0 - cos
+    8 th), which comes and goes. Loops that lag by t would add a mean bias of (dw^2 Ts/8) W t."""
+    dw, rate, start, gyro_fmu = 0.05, 0.1, 0.2, GyroFmu(build_fmu(fidelity))
+    parameters = {"resonator.material.frequencySplit": dw}
+    angles = []
+    for division in (1, 0):
+        with gyro_fmu.power_on(
+            {**parameters, "controller.timeDivision": division}, seed=0, start_angle=start
+        ) as gyro:
+            angles.append(drive(gyro, np.full(50, rate), 2.0))
+    swing = dw**2 * 1e-3 / (128 * K**2 * rate)
+    pattern = start - K * rate * 2.0 * np.arange(1, 51)
+    expected = swing * (np.cos(8 * start) - np.cos(8 * pattern))
+    np.testing.assert_allclose(angles[0] - angles[1], expected, rtol=0, atol=0.01 * swing)

@@ -59,13 +59,14 @@ block QuasisteadyController "Control electronics whose loops follow at once"
 protected
   Units.Angle commanded(start = startAngle, fixed = true) "Pattern angle at time 0 and all rotation counted since";
   Units.Angle swept(start = 0, fixed = true) "Position of the sweep";
+  Units.DimensionlessRatio countedShare "Share of a rotation that is counted under the noise of its gain";
   Units.AngularVelocity counted "Rotation that is counted in the force-to-rebalance mode";
 equation
   fresh = demodulation.demodulated;
   expectedAngle = modalAngle;
   overload = 0;
-  counted = driveOn*(synthesis.drivenRate - readout.unknownRate)*(1 - gainNoise/(1 + readout.virtualRotationError))
-    /(1 + readout.virtualRotationError);
+  countedShare = 1 - gainNoise/(1 + readout.virtualRotationError);
+  counted = driveOn*(synthesis.drivenRate - readout.unknownRate)*countedShare/(1 + readout.virtualRotationError);
   der(commanded) = readout.countedRate + forceToRebalance*((1 + readout.clockError)*counted - readout.countedRate);
   der(swept) = sweep.rate;
   rates = {synthesis.motion[1], synthesis.motion[2], synthesis.motion[3], synthesis.motion[4]};

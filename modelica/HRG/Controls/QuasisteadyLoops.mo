@@ -36,6 +36,7 @@ block QuasisteadyLoops "Loops that follow at once, and the forces they need"
   output Units.AngularVelocity lostRate "Rotation that the drives' authority takes away, as a command";
   output Units.RelativeForce force[4] "Mean force that readings show, {cos x, sin x, cos y, sin y}";
 protected
+  final parameter Units.DampingCoefficient perPeriod = 1/samplePeriod "Of the memories of a period";
   final parameter Units.DampingCoefficient quickness = 1/(3*samplePeriod) "Of the loops";
   Units.DimensionlessRatio commandShare "Rate of the modal angle per commanded one";
   Units.AngularVelocity freeTurning "Rate of the modal angle without a command";
@@ -47,17 +48,26 @@ protected
   Units.RelativeForce antinode(start = 0, fixed = true) "Force of the electrodes on the antinode, as the pick-offs feel it";
   Units.RelativeForce node(start = 0, fixed = true) "Force on the node, likewise";
   Units.RelativeForce seen "Force on the node as far as readings show it";
+  Units.RelativeForce led "Force on the node in quadrature, as far ahead as the quadrature that it asks for is behind";
   Units.RelativeForce square(start = 0, fixed = true) "Force on the node in quadrature, likewise";
   Units.DimensionlessRatio command "Command over force; 0 with the drive off";
   Units.DimensionlessRatio effort "Command over force on the shell; 0 where the drive does not hold the orbit, and in the first period";
   discrete Units.DimensionlessRatio started(start = 0, fixed = true) "1 from the first sample on";
   discrete Units.DimensionlessRatio passed(start = 0, fixed = true) "1 from the second sample on";
+  Units.RelativeDisplacement quadratureError "Of the detected quadrature, with the gain of the amplitude taken out";
+  Units.RelativeDisplacement lastQuadratureError(start = 0, fixed = true) "The same a period before";
+  Units.Angle lastPhaseError(start = 0, fixed = true) "Error of the detected phase a period before";
   discrete Units.DimensionlessRatio last[3](each start = 0, each fixed = true) "Amplitude, quadrature and phase at the last sample";
   discrete Units.DimensionlessRatio change[3](each start = 0, each fixed = true) "Of them over the last period";
+  discrete Units.RelativeForce lastSquare(start = 0, fixed = true) "Force on the node in quadrature at the last sample";
+  discrete Units.RelativeForce squareChange(start = 0, fixed = true) "Its change over the last period";
   Units.DampingCoefficient mean[3] "Their mean rates over the last period";
 equation
   command = noEvent(if driveOn > 0 then 1/driveOn else 0);
   detection = deviation(analogue, axes);
+  quadratureError = detection[2]*amplitude/detection[1] - quadrature;
+  der(lastQuadratureError) = perPeriod*(quadratureError - lastQuadratureError);
+  der(lastPhaseError) = perPeriod*(detection[3] - lastPhaseError);
   commandShare = (1 - rebalance)*2*driveOn;
   freeTurning = rebalance*2*sweepRate*driveOn - (1 - rebalance)*coupling;
   turning = commandShare*patternRate + freeTurning;
@@ -71,17 +81,19 @@ equation
     freeRates, amplitude, quadrature, axes, detection[1], aim, driveGain, pumpGain, parametricShare, authority, driveOn,
     {quickness*(modalAim - modalAngle - detection[6]) + 2*sweepRate,
      quickness*(amplitudeAim - detection[1]) + amplitudeRate,
-     quickness*(quadratureAim - detection[2]),
-     quickness*(phaseAim - phase - detection[3])},
+     quickness*(quadratureAim - detection[2] - 3*(quadratureError - lastQuadratureError)),
+     quickness*(phaseAim - phase - detection[3] - 3*(detection[3] - lastPhaseError))},
     patternRate*(1 - 1/3*hold*hold), rebalance);
-  der(antinode) = ((1 - parametricShare)*motion[5] - antinode)/samplePeriod;
-  der(node) = (motion[7] - node)/samplePeriod;
-  der(square) = (motion[6] - square)/samplePeriod;
+  der(antinode) = perPeriod*((1 - parametricShare)*motion[5] - antinode);
+  der(node) = perPeriod*(motion[7] - node);
+  der(square) = perPeriod*(motion[6] - square);
   when tick then
     passed = pre(started);
     started = 1;
-    change = {amplitude - pre(last[1]), quadrature - pre(last[2]), phase - pre(last[3])};
     last = {amplitude, quadrature, phase};
+    change = last - pre(last);
+    squareChange = square - pre(lastSquare);
+    lastSquare = square;
   end when;
   mean = {change[1]/samplePeriod, change[2]/samplePeriod, change[3]/samplePeriod};
   effort = 2*passed*motion[10]/(driveGain[1] + driveGain[4]);
@@ -91,17 +103,20 @@ equation
   drivenRate = motion[7]*command/(2*detection[1]);
   lostRate = motion[9]*command/(2*detection[1]);
   seen = (1 - timeDivision)*node;
+  led = square + squareChange;
   force = {
     antinode*axes[1] - seen*axes[2],
-    -square*axes[2],
+    -led*axes[2],
     antinode*axes[2] + seen*axes[1],
-    square*axes[1]};
+    led*axes[1]};
   annotation (Documentation(info="<html>
 <p>Real loops settle in a second or two. Here amplitude, quadrature and phase approach their aims with a time constant of
 three output periods, and forces follow at once; what is slower than that is as with the real loops. The angle that a change of
 amplitude leaves by misaimed forces is right within 3 % up to a factor of three. Inputs and temperature are held from sample to sample, so that the loops catch up with a pick-off's gain or phase in steps. They leave r = 1 - 1/3 + 1/18 of each step
 by the end of its period: of the mean that a force needs, its value there is r/(3 (1 - r)) = 13/15, or 1/(3 (1 - r)) = 6/5 where the next step has come. Forces and reference
-that are shown are therefore means of the last period. In time division a reading is half a control period of the holding force below the mean, and shows no force that rotates. Not in here: the loops' own transients, their
+that are shown are therefore means of the last period. In time division a reading is half a control period of the holding force below the mean, and shows no force that rotates. While the pattern
+turns, a pick-off asks for a quadrature and a phase that change. Real loops follow without a lag of first order. Here the loop is three periods late, and it is led by three times the change of its error over a period;
+the force that a reading shows is one period late, and it is led by one change. Amplitude is not led. Not in here: the loops' own transients, their
 response to overload, and the noise of pick-offs on its way through them. With the drive off an orbit that becomes a circle
 (a split that turns quadrature up to the amplitude) has no antinode, and the elements of the orbit end there.</p>
 </html>"));

@@ -17,6 +17,8 @@ model CarrierResonator "Vibrating shell at its carrier frequency"
     reference = reference,
     pumping = pumping,
     force = force + shake) "Motion";
+equation
+  size = abs(oscillator.position[1]) + abs(oscillator.position[2]);
   annotation (Documentation(info="<html>
 <p>Material and environment give the coefficients, <code>Oscillator</code> the motion.</p>
 </html>"));

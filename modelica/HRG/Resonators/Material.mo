@@ -38,6 +38,7 @@ block Material "Damping, stiffness and coupling of the shell under its environme
   input Units.TemperatureDifference temperature "Above the reference";
   input Units.Time age "Time since power-on";
   input Units.DimensionlessRatio dampingFlicker "Relative change of the damping anisotropy by its flicker";
+  input Units.DimensionlessRatio isDecaying "1 with damping, 0 without";
   input Units.DimensionlessRatio biasVoltage "Over the nominal one";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
   input Units.AngularVelocity angularRate "Inertial rate about the input axis";
@@ -66,9 +67,9 @@ equation
   damping = exp(decayTimeAgeing*age)/(decayTime*stretched(decayTimePerKelvin*temperature)) + supportLoss;
   warmth = 1 + dampingAnisotropyPerKelvin*temperature + dampingAnisotropyAgeing*age + dampingFlicker;
   dampingCos = ownCos*warmth + mountingCos;
-  dampingSin = ownSin*warmth + mountingSin;
-  dampingX = damping + dampingCos;
-  dampingY = damping - dampingCos;
+  dampingSin = isDecaying*(ownSin*warmth + mountingSin);
+  dampingX = isDecaying*(damping + dampingCos);
+  dampingY = isDecaying*(damping - dampingCos);
   voltageChange = biasVoltage*biasVoltage - 1;
   shift = frequency*frequencyPerKelvin*temperature - electrostaticShift*voltageChange;
   splitCos = ownSplitCos + trimCos*voltageChange

@@ -5,6 +5,7 @@ model OrbitResonator "Vibrating shell, its motion in the elements of the orbit"
   output Real freeRates[4] "Rates of the displacement without drive, in a frame of the nominal frequency";
   Orbit orbit(startAngle = startAngle, startAmplitude = startAmplitude, rates = rates) "Motion";
 equation
+  size = orbit.amplitude;
   freeRates = envelopeRates(
     orbit.displacement, {material.dampingX, material.dampingY, material.dampingSin},
     {material.dampingX, material.dampingY, material.dampingSin}, -material.shift,

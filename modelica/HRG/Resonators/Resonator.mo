@@ -20,6 +20,7 @@ model Resonator "Vibrating shell, its motion as a slowly varying envelope"
     force = force + shake) "Motion";
 equation
   displacement = envelope.displacement;
+  size = abs(displacement[1]) + abs(displacement[2]) + abs(displacement[3]) + abs(displacement[4]);
   annotation (Documentation(info="<html>
 <p>Material and environment give the coefficients, <code>Envelope</code> the motion.</p>
 </html>"));

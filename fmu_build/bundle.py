@@ -269,16 +269,16 @@ def _make_enclosures(
     run = simulate_reference(root.identifier, content)
     page = write_documentation(dae, root, version("hrg"), run, fmi)
     icon = ICON.read_bytes()
-    found = {
+    files = {
         "documentation/index.html": page.encode(),
         "terminalsAndIcons/terminalsAndIcons.xml": describe_terminals(dae).encode(),
         "terminalsAndIcons/icon.png": icon,
         "extra/org.cyclonedx/bom.json": list_materials(root.identifier, content).encode(),
     }
-    found |= run.files(root.identifier)
-    found |= {f"documentation/licenses/{n}": text for n, text in list_licence_files(fmi).items()}
+    files |= run.files(root.identifier)
+    files |= {f"documentation/licenses/{n}": text for n, text in list_licence_files(fmi).items()}
     if root.identifier in ROOTS:
         arrays = _select_arrays(dae, fmi)
         for file in DEVICES.glob("*.ssv"):
-            found[f"resources/{file.name}"] = join_arrays(file.read_text(), arrays).encode()
-    return found | ({"model.png": icon} if fmi == 2 else {})
+            files[f"resources/{file.name}"] = join_arrays(file.read_text(), arrays).encode()
+    return files | ({"model.png": icon} if fmi == 2 else {})

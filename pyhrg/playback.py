@@ -12,7 +12,7 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from fmu_build.bundle import build_fmu
-from fmu_build.roots import ROOTS
+from fmu_build.roots import PARTS, ROOTS
 from pyhrg.common.arguments import check_number, check_whole_number
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
@@ -67,11 +67,15 @@ OUTPUTS_AVERAGED = {
     "valid": "valid",
 }
 """The FMU's names of the outputs that are averaged over each row, by their name in results."""
+OWN_OUTPUTS_AT_END = {"map_followed": "mapFollowed"}
+"""Outputs that only a self-correcting gyro has, likewise."""
+MODELS = {**ROOTS, "HRGSelfCorrecting": PARTS["HRGSelfCorrecting"]}
+"""The gyros that are simulated, by the names of their FMUs."""
 MAX_SEED = 2**31 - 1
 """Largest seed that the FMU takes."""
 MAX_STEPS = 10**9
 """Largest number of communication steps. Chosen: the inputs of more fill any machine's memory."""
-_open_fmu = lru_cache(maxsize=len(ROOTS))(GyroFmu)
+_open_fmu = lru_cache(maxsize=len(MODELS))(GyroFmu)
 ROUNDING = 1e-6
 """Largest departure of a ratio of two durations from a whole number. Chosen."""
 
@@ -105,7 +109,8 @@ def simulate(
         temperature_degC: temperature of the case; the device's reference temperature if None.
         pattern_angle_deg: physical pattern angle at power-on; the device's if None.
         seed: seed of noise and of turn-on scatter, 0 to 2^31 - 1. None simulates neither.
-        model: FMU to run: HRG, HRGCarrier, or HRGSlow with quasi-steady loops.
+        model: FMU to run: HRG, HRGCarrier, HRGSlow with quasi-steady loops, or HRGSelfCorrecting, a
+            device with the parameters of `prepare_estimator`.
         step_s: communication step; the model's own if None.
         inputs: other inputs of the FMU: `acceleration_x_m_s2`, `acceleration_y_m_s2`,
             `acceleration_z_m_s2`, `virtual_rotation_deg_per_s`, `amplitude_setpoint`,
@@ -115,7 +120,8 @@ def simulate(
     Returns:
         The FMU's outputs over `time`, the end of each row (s). Angles, rate, amplitude and
         quadrature are those at the end of a row; forces, frequency and validity are means over
-        it. Attributes of each: `units` (SI), `long_name`, `cell_methods`.
+        it. A self-correcting gyro has `map_followed` besides, 1 while it follows its estimate.
+        Attributes of each: `units` (SI), `long_name`, `cell_methods`.
 
     Raises:
         HrgError: an argument can't be used (the message names it); no such device; the FMU can't be
@@ -129,9 +135,10 @@ def simulate(
     parameters, angle = _draw_power_on(fmu, gyro, pattern_angle_deg, seed)
     first = {name: float(values.flat[0]) for name, values in {**moving, **held}.items()}
     period = {} if fmu.is_sampled else {"samplePeriod": rows.step}
+    at_end = _list_outputs_at_end(fmu)
     with fmu.power_on({**parameters, **period, **first}, seed or 0, angle) as on:
         ends, means = on.record(
-            moving, held, rows.step, list(OUTPUTS_AT_END.values()), list(OUTPUTS_AVERAGED.values())
+            moving, held, rows.step, list(at_end.values()), list(OUTPUTS_AVERAGED.values())
         )
     outputs = _label_outputs(fmu, rows, ends, means)
     attributes = {"device": gyro.name, "model": model, "pattern_angle_at_power_on": angle}
@@ -164,10 +171,10 @@ class _Rows:
 
 
 def _make_rows(duration_s: float, interval_s: float, step_s: float | None, model: str) -> _Rows:
-    if model not in ROOTS:
-        raise HrgError(f"model: found {model!r}, expected {' or '.join(ROOTS)}")
+    if model not in MODELS:
+        raise HrgError(f"model: found {model!r}, expected {' or '.join(MODELS)}")
     check_number("interval_s", interval_s, 1e-3, 1e6)
-    default = min(float(ROOTS[model].step), interval_s)
+    default = min(float(MODELS[model].step), interval_s)
     step = default if step_s is None else check_number("step_s", step_s, 1e-3, interval_s)
     check_number("duration_s", duration_s, interval_s, MAX_STEPS * step)
     n = _count("duration_s", duration_s, "interval_s", interval_s)
@@ -274,17 +281,23 @@ def _draw_power_on(
     return {name: v for name, v in values.items() if name not in missing}, angle
 
 
+def _list_outputs_at_end(fmu: GyroFmu) -> dict[str, str]:
+    own = {name: own for name, own in OWN_OUTPUTS_AT_END.items() if own in fmu.references}
+    return {**OUTPUTS_AT_END, **own}
+
+
 def _label_outputs(fmu: GyroFmu, rows: _Rows, ends: Array, means: Array) -> xr.Dataset:
     time = np.arange(1, rows.n + 1) * rows.interval
     about_time = {"units": "s", "long_name": "time since power-on, at the end of the row"}
     dataset = xr.Dataset(coords={"time": ("time", time, about_time)})
     variables = {v.name: v for v in fmu.description.modelVariables}
-    names = {**OUTPUTS_AT_END, **OUTPUTS_AVERAGED}
+    at_end = _list_outputs_at_end(fmu)
+    names = {**at_end, **OUTPUTS_AVERAGED}
     for (name, fmu_name), column in zip(names.items(), [*ends.T, *means.T], strict=True):
         attributes = {
             "units": variables[fmu_name].unit or "1",
             "long_name": variables[fmu_name].description,
-            "cell_methods": f"time: {'point' if name in OUTPUTS_AT_END else 'mean'}",
+            "cell_methods": f"time: {'point' if name in at_end else 'mean'}",
         }
         dataset[name] = ("time", column, attributes)
     return dataset

@@ -7,9 +7,10 @@ confounded                 directions among the mechanisms that simple motions s
 study [CALIBRATION TRAINING JUDGED]
                            R2 of the position error in linear flights of two hours, of triads whose
                            maps are calibrated (seed 1, as `hrg study standard`)
-flown [CALIBRATION FOLDER TRIADS HOURS FIRST]
-                           scores of flights on the FMU at 1 kHz, after each triad; those in FOLDER
-                           (witness-flown) are not flown again
+flown [CALIBRATION sealed TRIADS FIRST]
+                           flies triads on the FMU at 1 kHz, from number FIRST on; with the word
+                           sealed, each gyro has a form outside the model. Those whose rows
+                           docs/witness-flown.csv has are not flown again
 benched [GYROS]            NEES of estimates with an error of the bench, and of their maps
 electronics [FLIGHTS MINUTES]
                            bias maps that the estimator in the electronics corrects, of gyros that
@@ -18,10 +19,9 @@ outside                    the estimate where something changed that its prior h
 """
 
 import sys
-from pathlib import Path
+from collections.abc import Sequence
 
 import numpy as np
-import pandas as pd
 from scipy.stats import chi2
 
 from benchmarks.witness import benched, bounds, electronics, flown, outside, study
@@ -34,7 +34,6 @@ from ins_eval.study.gyros.drawn_triad import (
     tabulate_triads,
 )
 from ins_eval.study.gyros.population import RAW, TRIMMED
-from ins_eval.study.witness.judge import list_figures, score_witnesses
 from ins_eval.study.witness.self_test import HALF_PERIOD, ROTATION
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.fmu import GyroFmu
@@ -44,6 +43,8 @@ from pyhrg.witness.mechanisms import NAMES
 GYROS, TRAINING, JUDGED, FLOWN, BENCHED, ELECTRONICS = 24, 60, 80, 20, 16, 12
 FIRST_JUDGED = 100
 """Number of the first judged triad, as in `hrg study standard`."""
+FIRST_FLOWN = 105
+"""Number of the first triad that flies: none was developed on from here on."""
 STUDY_SEED = 1
 DURATION, ROW = 600.0, 0.1
 
@@ -109,20 +110,12 @@ def print_study(method: str, training: int, judged: int) -> None:
             print(f"    {name:28s} {score}", flush=True)
 
 
-def print_flown(method: str, folder: str, count: int, hours: int, first: int) -> None:
-    fmus, distribution = (load_fmu("HRG"), load_fmu("HRGSlow")), make_distribution(method)
-    numbers = range(first, first + count)
-    drawn = (
-        (n, draw_triad(fmus[1], distribution, make_triad_seed(STUDY_SEED, n))) for n in numbers
-    )
-    tables: list[pd.DataFrame] = []
-    for rows in flown.fly_triads(fmus, distribution, drawn, hours, Path(folder)):
-        tables.append(rows)
-        flights = pd.concat(tables)
-        print(f"{flights['triad'].nunique()} of {count} triads", flush=True)
-        if flights["triad"].nunique() > 1:
-            scores = score_witnesses(flights, STUDY_SEED)
-            print(*("; ".join(row) for row in list_figures(scores)), sep="\n", flush=True)
+def fly(words: Sequence[str], count: int, first: int) -> None:
+    fmus = load_fmu("HRG"), load_fmu("HRGSlow")
+    distribution = make_distribution("mean" if "mean" in words else "map")
+    fleet = flown.Fleet(fmus, distribution, "sealed" in words)
+    for flights in flown.fly_triads(fleet, range(first, first + count)):
+        print(f"{len(flights)} rows", flush=True)
 
 
 def print_benched(count: int) -> None:
@@ -155,22 +148,30 @@ def print_electronics(flights: int, minutes: int) -> None:
                 )
             )
             row = "".join(f"{value:8.2f}" for value in electronics.list_figures(found))
-            print(f"self-test {self_test!s:6s} drift {drifts!s:6s}{row}", flush=True)
+            followed = sum(each.is_followed for each in found)
+            print(
+                f"self-test {self_test!s:6s} drift {drifts!s:6s}{row}  followed {followed}",
+                flush=True,
+            )
             if drifts:
                 low, high = electronics.bootstrap_ratio(found)
                 print(f"    left over change, 95 % interval: {low:.2f} to {high:.2f}", flush=True)
 
 
 def print_outside() -> None:
-    print("rms error of the bias map, mdeg/h: with the log, without it; ratios; followed")
+    print("rms error of the bias map, mdeg/h: with the log, without it, by the electronics")
+    print("ratios with the log, logs that are followed; estimates of the electronics that are")
     ratios = []
-    for each in outside.compare_changes(load_fmu("HRG"), load_fmu("HRGSlow")):
-        told, believed = (
-            1e3 * np.sqrt(np.mean(errors**2)) / DEG_PER_H for errors in (each.told, each.believed)
+    fmus = load_fmu("HRG"), load_fmu("HRGSlow"), GyroFmu(build_fmu("HRGSelfCorrecting"))
+    for each in outside.compare_changes(*fmus):
+        told, believed, corrected = (
+            1e3 * np.sqrt(np.mean(errors**2)) / DEG_PER_H
+            for errors in (each.told, each.believed, each.corrected)
         )
         listed = " ".join(f"{ratio:.2f}" for ratio in sorted(each.ratio))
         count = f"{each.followed.sum()} of {len(each.followed)}"
-        print(f"{each.field:24s}{told:8.2f}{believed:8.2f}  {listed}  {count}", flush=True)
+        row = f"{told:8.2f}{believed:8.2f}{corrected:8.2f}  {listed}  {count}"
+        print(f"{each.field:24s}{row}, {each.electronics_followed.sum()}", flush=True)
         ratios.append(each.ratio)
     print(f"90th percentile of all ratios: {np.quantile(ratios, 0.9):.2f}")
 
@@ -179,7 +180,7 @@ if __name__ == "__main__":
     command, *rest = sys.argv[1:]
     numbers = [int(each) for each in rest if each.isdigit()]
     words = [each for each in rest if not each.isdigit()]
-    calibration, folder = words + ["map", "witness-flown"][len(words) :]
+    calibration = words[0] if words else "map"
     if command == "bounds":
         print_bounds(*(numbers or [GYROS]))
     elif command == "mechanisms":
@@ -187,7 +188,7 @@ if __name__ == "__main__":
     elif command == "confounded":
         print_confounded()
     elif command == "flown":
-        print_flown(calibration, folder, *(numbers + [FLOWN, 2, FIRST_JUDGED][len(numbers) :]))
+        fly(words, *(numbers + [FLOWN, FIRST_FLOWN][len(numbers) :]))
     elif command == "benched":
         print_benched(*(numbers or [BENCHED]))
     elif command == "electronics":

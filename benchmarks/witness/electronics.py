@@ -35,12 +35,14 @@ CHANGE = [f"controller.estimator.change[{place}]" for place in (1, 2, 3)]
 @dataclass(frozen=True)
 class Corrected:
     """Bias maps of a gyro at the end of a flight, (TERMS,), rad/s: the true change since its
-    calibration; that by the electronics and by the log; the standard deviation of the latter."""
+    calibration; that by the electronics and by the log; the standard deviation of the latter;
+    whether the electronics follow their estimate."""
 
     true: Array
     electronics: Array
     log: Array
     sigma: Array
+    is_followed: bool
 
 
 def correct_flights(
@@ -67,24 +69,30 @@ def correct_flights(
         (found,) = fit_changes(
             fast, slow, [Flown(GYRO, read_witnesses(log, GYRO), PRIOR, responses)]
         )
-        corrected = np.zeros(TERMS)
-        corrected[CORRECTED] = read_change(
+        corrected, is_followed = read_change(
             correcting, replace(device, model=parameters), duration, seed, self_test=self_test
         )
         covariance = response @ found.covariance @ response.T
         yield Corrected(
-            response @ changes, corrected, response @ found.changes, np.sqrt(np.diag(covariance))
+            response @ changes,
+            corrected,
+            response @ found.changes,
+            np.sqrt(np.diag(covariance)),
+            is_followed,
         )
 
 
 def read_change(
     fmu: GyroFmu, device: Device, duration: float, seed: int, *, self_test: bool
-) -> Array:
-    """(3,) change of the map's mean and fourth harmonic that the electronics take out at the end of
-    a flight, rad/s."""
+) -> tuple[Array, bool]:
+    """(TERMS,) change of the bias map that the electronics take out at the end of a flight, rad/s,
+    and whether that is their estimate."""
     time = np.arange(0.0, duration, INTERVAL)
-    rows, _, _ = record_flight(fmu, device, time, seed, CHANGE, self_test=self_test)
-    return np.asarray(rows[-1, 2:])
+    names = [*CHANGE, "mapFollowed"]
+    rows, _, _ = record_flight(fmu, device, time, seed, names, self_test=self_test)
+    change = np.zeros(TERMS)
+    change[CORRECTED] = rows[-1, 2:5]
+    return change, bool(rows[-1, 5])
 
 
 def list_figures(found: Sequence[Corrected]) -> list[float]:

@@ -1,19 +1,31 @@
 """Flights on the FMU at 1 kHz, witnessed triad by triad, as `hrg study` judges them."""
 
-from collections.abc import Iterator
-from itertools import islice
+import subprocess
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 import pandas as pd
 
 from benchmarks.witness.motions import CLASSES
+from benchmarks.witness.sealed import draw_effects
+from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import plan_mission
 from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.study.cosimulated import sample_truth
-from ins_eval.study.gyros.drawn_triad import DrawnTriad, TriadDistribution, tabulate_triads
+from ins_eval.study.gyros.drawn_triad import (
+    DrawnTriad,
+    TriadDistribution,
+    draw_triad,
+    make_triad_seed,
+    tabulate_triads,
+)
 from ins_eval.study.predictors.prediction_columns import select_time
+from ins_eval.study.witness.believed import BelievedGyro
 from ins_eval.study.witness.block import TOGETHER, believe_triad, witness_triads
 from ins_eval.study.witness.tabulate import tabulate_witnesses
+from pyhrg.common.arrays import Array
 from pyhrg.common.files import write_whole
 from pyhrg.common.units import ARCSEC, MICRO_G
 from pyhrg.fmu import GyroFmu
@@ -21,49 +33,116 @@ from pyhrg.fmu import GyroFmu
 MISSIONS = ("car", "city", "airliner", "long-haul", "ship")
 SENSORS = 10 * MICRO_G, 10 * ARCSEC
 INSIDE, SEED = 0.9, 1
+HOURS = 2.0
+FILE = Path("docs/witness-flown.csv")
+"""A row for each triad, mission and duration of the self-test: flights of `HOURS`, of `SEED`.
+Column `commit` names the code that flew."""
+DIGITS = 5
+KEYS = ("calibration", "effects", "triad", "mission")
+NONE = "-"
+"""Effects outside the model of a triad that has none."""
 
 
-def fly_triads(
-    fmus: tuple[GyroFmu, GyroFmu],
-    distribution: TriadDistribution,
-    drawn: Iterator[tuple[int, DrawnTriad]],
-    hours: float,
-    folder: Path,
-) -> Iterator[pd.DataFrame]:
-    """Rows of `TOGETHER` triads after the other in all `MISSIONS`.
+@dataclass(frozen=True)
+class Fleet:
+    """Triads of one calibration.
 
-    fmus: `HRG` and `HRGSlow`; drawn: triads and their numbers; folder: of a file for each triad and
-    mission that was flown, which a later call reads.
+    fmus: `HRG` and `HRGSlow`; is_sealed: whether each gyro has an effect outside the model.
     """
-    planned = [plan_mission(each, hours) for each in MISSIONS]
-    truths = [sample_truth(each) for each in planned]
-    weights = [select_time(load_mission_weights(each), -1) for each in planned]
-    folder.mkdir(parents=True, exist_ok=True)
-    while group := list(islice(drawn, TOGETHER)):
-        paths = {
-            (number, mission): folder / f"{distribution.method}-{number}-{mission}-{hours:g}h.csv"
-            for number, _ in group
-            for mission in MISSIONS
-        }
-        missing = [n for n, _ in group if any(not paths[n, m].exists() for m in MISSIONS)]
-        known = {n: (t, believe_triad(fmus[1], distribution, t)) for n, t in group if n in missing}
-        blocks = {number: tabulate_triads(fmus[1], [triad]) for number, (triad, _) in known.items()}
-        for place, mission in enumerate(MISSIONS):
-            flying = {n: each for n, each in known.items() if not paths[n, mission].exists()}
-            if not flying:
-                continue
-            numbers = list(flying)
-            found = witness_triads(fmus, truths[place], weights[place], place, flying, numbers)
-            for row, number in enumerate(numbers):
-                own = {name: values[[row]] for name, values in found.items()}
-                rows = tabulate_witnesses(
-                    own, blocks[number], weights[place], SENSORS, INSIDE, SEED + number
-                ).assign(
-                    triad=number,
-                    calibration=distribution.method,
-                    mission_class=CLASSES[mission],
-                    mission=mission,
-                )
-                write_whole(paths[number, mission], rows.to_csv(index=False).encode())
-        tables = [pd.read_csv(path) for path in paths.values()]
-        yield pd.concat(tables, ignore_index=True)
+
+    fmus: tuple[GyroFmu, GyroFmu]
+    distribution: TriadDistribution
+    is_sealed: bool = False
+
+    @cached_property
+    def drawn(self) -> dict[int, tuple[DrawnTriad, Sequence[BelievedGyro]]]:
+        """Triads that were drawn so far, as they are and as they are believed, by number."""
+        return {}
+
+    def draw(self, number: int) -> tuple[DrawnTriad, Sequence[BelievedGyro]]:
+        if number not in self.drawn:
+            triad = draw_triad(self.fmus[1], self.distribution, make_triad_seed(SEED, number))
+            self.drawn[number] = triad, believe_triad(self.fmus[1], self.distribution, triad)
+        return self.drawn[number]
+
+    def fly(self, mission: str, numbers: Sequence[int], hours: float = HOURS) -> pd.DataFrame:
+        """Rows of flights of triads, by numbers, in a mission."""
+        planned = plan_mission(mission, hours)
+        weights = select_time(load_mission_weights(planned), -1)
+        flying = {n: self.draw(n) for n in numbers}
+        place = MISSIONS.index(mission)
+        effects = {n: draw_effects(self.draw(n)[0]) for n in numbers if self.is_sealed}
+        found = witness_triads(
+            self.fmus,
+            sample_truth(planned),
+            weights,
+            place,
+            flying,
+            numbers,
+            {n: disturbances for n, (_, disturbances) in effects.items()},
+        )
+        tables = [
+            self._tabulate(n, found, row, weights).assign(
+                effects="; ".join(effects[n][0]) if self.is_sealed else NONE
+            )
+            for row, n in enumerate(numbers)
+        ]
+        return pd.concat(tables).assign(
+            calibration=self.distribution.method,
+            mission_class=CLASSES[mission],
+            mission=mission,
+            commit=describe_code(),
+        )
+
+    def _tabulate(
+        self, number: int, found: Mapping[str, Array], row: int, weights: MissionWeights
+    ) -> pd.DataFrame:
+        own = {name: values[[row]] for name, values in found.items()}
+        block = tabulate_triads(self.fmus[1], [self.draw(number)[0]])
+        rows = tabulate_witnesses(own, block, weights, SENSORS, INSIDE, SEED + number)
+        return rows.assign(triad=number)
+
+
+def fly_triads(fleet: Fleet, numbers: range, file: Path = FILE) -> Iterator[pd.DataFrame]:
+    """All rows of a file after each group of triads has flown a mission. What is in the file is not
+    flown again."""
+    for first in range(0, len(numbers), TOGETHER):
+        for mission in MISSIONS:
+            done = read_flights(file)
+            same = done[
+                (done["mission"] == mission) & ((done["effects"] != NONE) == fleet.is_sealed)
+            ]
+            flown = set(same.loc[same["calibration"] == fleet.distribution.method, "triad"])
+            if group := [n for n in numbers[first : first + TOGETHER] if n not in flown]:
+                rows = fleet.fly(mission, group)
+                write_flights(file, pd.concat([done, rows]) if len(done) else rows)
+                yield read_flights(file)
+        for number in numbers[first : first + TOGETHER]:
+            fleet.drawn.pop(number, None)
+
+
+def read_flights(file: Path = FILE) -> pd.DataFrame:
+    """Rows of flights, none if there is no file."""
+    if file.exists():
+        return pd.read_csv(file, dtype={"commit": str})
+    return pd.DataFrame({name: [] for name in KEYS})
+
+
+def write_flights(file: Path, flights: pd.DataFrame) -> None:
+    ordered = flights.sort_values([*KEYS, "self_test_s"])
+    ahead = [*KEYS, "self_test_s"]
+    columns = [*ahead, *(each for each in ordered.columns if each not in ahead)]
+    text = ordered[columns].to_csv(index=False, float_format=f"%.{DIGITS}g")
+    write_whole(file, text.encode())
+
+
+def describe_code() -> str:
+    """Short name of the last commit that changed what flies, with a plus if it differs."""
+    folders = ["modelica", "fmu_build", "pyhrg", "ins_eval"]
+    last = _run_git("log", "-1", "--abbrev=8", "--format=%h", "--", *folders)
+    return last + ("+" if _run_git("status", "--porcelain", "--", *folders) else "")
+
+
+def _run_git(*command: str) -> str:
+    run = subprocess.run(["git", *command], capture_output=True, text=True, check=True)
+    return run.stdout.strip()

@@ -5,14 +5,16 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from benchmarks.witness.electronics import read_change
 from pyhrg.common.arrays import Array
 from pyhrg.fmu import GyroFmu
 from pyhrg.witness.design import TERMS
 from pyhrg.witness.estimate import SIGNIFICANCE
+from pyhrg.witness.estimator import arrange_parameters
 from pyhrg.witness.fit import Flown, fit_changes
 from pyhrg.witness.mechanisms import change_device
 from pyhrg.witness.replay import read_witnesses
-from pyhrg.witness.responses import measure_output, measure_responses
+from pyhrg.witness.responses import measure_channels, measure_output, measure_responses
 from tests.pyhrg.witness.flights import GYRO, PRIOR, compute_rms, draw_changes, fly
 
 CHANGES = {
@@ -33,14 +35,17 @@ DURATION, FLIGHTS = 600.0, 6
 class Compared:
     """A field that changed, beside all that drifts, in some flights.
 
-    told, believed: (n,) rms error over the circumference of the bias map by the estimate and
-    without the log, rad/s; p_values: (n,) of the estimates.
+    told, believed, corrected: (n,) rms error over the circumference of the bias map by the
+    estimate, without the log, and by the electronics, rad/s; p_values: (n,) of the estimates;
+    electronics_followed: (n,) whether the electronics follow theirs.
     """
 
     field: str
     told: Array
     believed: Array
+    corrected: Array
     p_values: Array
+    electronics_followed: Array
 
     @property
     def followed(self) -> Array:
@@ -53,8 +58,10 @@ class Compared:
         return np.where(self.followed, self.told / self.believed, 1.0)
 
 
-def compare_changes(fast: GyroFmu, slow: GyroFmu) -> Iterator[Compared]:
+def compare_changes(fast: GyroFmu, slow: GyroFmu, correcting: GyroFmu) -> Iterator[Compared]:
     responses = measure_responses(slow, GYRO)
+    (channels,) = measure_channels(slow, [GYRO])
+    parameters = arrange_parameters(GYRO, PRIOR, channels[0], responses)
     drifted = [
         change_device(GYRO, draw_changes(PRIOR, np.random.default_rng(seed)))
         for seed in range(FLIGHTS)
@@ -63,18 +70,23 @@ def compare_changes(fast: GyroFmu, slow: GyroFmu) -> Iterator[Compared]:
         devices = [replace(d, **{field: getattr(d, field) + change}) for d in drifted]
         logs = [fly(fast, d, DURATION, seed, self_test=True) for seed, d in enumerate(devices)]
         gyros = [Flown(GYRO, read_witnesses(log, GYRO), PRIOR, responses) for log in logs]
-        errors = []
+        errors, followed = [], []
         fits = fit_changes(fast, slow, gyros)
-        for device, found in zip(devices, fits, strict=True):
-            true, told, believed = (
+        for seed, (device, found) in enumerate(zip(devices, fits, strict=True)):
+            true, told, believed, calibrated = (
                 measure_output(slow, each, found.temperature)[:TERMS]
                 for each in (
                     device,
                     change_device(GYRO, found.changes),
                     change_device(GYRO, PRIOR.mean),
+                    GYRO,
                 )
             )
-            errors.append((compute_rms(told - true), compute_rms(believed - true)))
-        told_errors, believed_errors = np.array(errors).T
+            change, is_followed = read_change(
+                correcting, replace(device, model=parameters), DURATION, seed, self_test=True
+            )
+            maps = (told, believed, calibrated + change)
+            errors.append([compute_rms(each - true) for each in maps])
+            followed.append(is_followed)
         p_values = np.array([each.p_value for each in fits])
-        yield Compared(field, told_errors, believed_errors, p_values)
+        yield Compared(field, *np.array(errors).T, p_values, np.array(followed))

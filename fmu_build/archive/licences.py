@@ -65,7 +65,7 @@ def _fmi_headers(fmi: int) -> str:
     """The comment of the header that the binaries are compiled with."""
     header = Path(fmpy.__file__).parent / "c-code" / f"fmi{fmi}Functions.h"
     text = header.read_text(encoding="utf-8", errors="replace")
-    found = re.search(r"Copyright.*?(?=\*/)", text, re.DOTALL)
-    if found is None:
+    notice = re.search(r"Copyright.*?(?=\*/)", text, re.DOTALL)
+    if notice is None:
         raise ValueError(f"{header.name} holds no copyright notice")
-    return f"FMI headers, used in compiling the binaries\n\n{found.group(0).rstrip()}\n"
+    return f"FMI headers, used in compiling the binaries\n\n{notice.group(0).rstrip()}\n"

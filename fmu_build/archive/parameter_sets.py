@@ -25,11 +25,11 @@ def join_arrays(text: str, arrays: Iterable[Scalar]) -> str:
     given = {parameter.get("name", ""): parameter for parameter in parameters}
     for array in arrays:
         values = array.attributes["start"].split()
-        found = [place for place, name in enumerate(array.elements) if name in given]
-        for place in found:
+        places = [place for place, name in enumerate(array.elements) if name in given]
+        for place in places:
             parameter = given.pop(array.elements[place])
             values[place] = parameter[0].attrib["value"]
-        if found:
+        if places:
             given[array.name] = ET.Element(f"{ssv}Parameter", name=array.name)
             ET.SubElement(given[array.name], f"{ssv}Real", value=" ".join(values))
             ET.SubElement(given[array.name], f"{ssc}Dimension", size=str(len(values)))

@@ -109,11 +109,11 @@ class Fmu:
     @cached_property
     def types(self) -> dict[str, dict[str, str]]:
         """Attributes of the declared types, by name."""
-        found = {}
+        types = {}
         for element in self.description.findall("TypeDefinitions/*"):
             inside = element if self.major == 3 else next(iter(element), ET.Element("none"))
-            found[element.get("name", "")] = dict(inside.attrib)
-        return found
+            types[element.get("name", "")] = dict(inside.attrib)
+        return types
 
     def attribute(self, variable: Variable, name: str) -> str | None:
         """A variable's attribute, or that of its declared type."""

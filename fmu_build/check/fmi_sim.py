@@ -78,7 +78,7 @@ def _copy_without(attributes: Iterable[tuple[str, str]], path: Path, copy: Path)
             if name == "modelDescription.xml":
                 root = parse_xml(name, data)
                 for attribute, element in attributes:
-                    for found in root.iter(element):
-                        found.attrib.pop(attribute, None)
+                    for matching in root.iter(element):
+                        matching.attrib.pop(attribute, None)
                 data = ET.tostring(root)
             target.writestr(name, data)

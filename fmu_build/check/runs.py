@@ -67,8 +67,8 @@ def find_disagreements(experiment: Run, traces: Mapping[str, Trace]) -> Iterator
             (importer, trace[name]) for importer, trace in traces.items()
         )
         for importer, values in others:
-            for step, (one, other) in enumerate(zip(reference, values, strict=False), 1):
-                if one != other and not (math.isnan(one) and math.isnan(other)):
+            for step, (expected, actual) in enumerate(zip(reference, values, strict=False), 1):
+                if expected != actual and not (math.isnan(expected) and math.isnan(actual)):
                     time = experiment.start + step * experiment.step
-                    yield f"{name} at {time:g} s: {one!r} in {first}, {other!r} in {importer}"
+                    yield f"{name} at {time:g} s: {expected!r} in {first}, {actual!r} in {importer}"
                     break

@@ -110,8 +110,8 @@ class Dae:
     @property
     def settable_period(self) -> Variable | None:
         """The parameter that is the base period, where it can be set."""
-        found = (v for v in self.variables if v.name == "samplePeriod" and v.settable)
-        return next(found, None)
+        periods = (v for v in self.variables if v.name == "samplePeriod" and v.settable)
+        return next(periods, None)
 
     def constant(self, node: int | None, element: int = 0) -> float | None:
         """Value of a constant expression, or of one element of a constant vector; None where it

@@ -42,17 +42,17 @@ class Page:
 def read_types(files: Iterable[str]) -> dict[str, RealType]:
     """Types of the library that Modelica files belong to, by full name; a connector that carries a
     type is known by the connector's name too."""
-    found: dict[str, RealType] = {}
+    types: dict[str, RealType] = {}
     connectors: dict[str, str] = {}
     present = (path for path in map(Path, set(files)) if path.exists())
     for root in sorted({find_library(path) for path in present}):
         for file in sorted(root.rglob("*.mo")):
-            found |= _types(file)
+            types |= _types(file)
             connectors |= _connectors(file)
-    return found | {
+    return types | {
         connector: declared
         for connector, name in connectors.items()
-        if (declared := find_type(name, found)) is not None
+        if (declared := find_type(name, types)) is not None
     }
 
 
@@ -95,19 +95,19 @@ def find_library(file: Path) -> Path:
 def _types(file: Path) -> dict[str, RealType]:
     text = file.read_text(encoding="utf-8")
     scope = _scope(file, text)
-    found = {}
+    types = {}
     pattern = rf"\btype\s+(\w+)\s*=\s*Real\s*\(({ATTRIBUTES})\)\s*{STRING}"
     for match in re.finditer(pattern, text):
         name, attributes, description = match.groups()
         given = dict(re.findall(rf"(\w+)\s*=\s*{STRING}", attributes))
-        found[f"{scope}.{name}"] = RealType(
+        types[f"{scope}.{name}"] = RealType(
             name=f"{scope}.{name}",
             description=_plain(description),
             quantity=given.get("quantity", ""),
             unit=given.get("unit", ""),
             display_unit=given.get("displayUnit", ""),
         )
-    return found
+    return types
 
 
 def _connectors(file: Path) -> dict[str, str]:

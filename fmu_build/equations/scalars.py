@@ -111,8 +111,8 @@ def _common(scalar: Scalar) -> object:
 def _find_array(variable: Variable) -> str:
     if variable.size is not None:
         return variable.name
-    found = MAP.fullmatch(variable.name)
-    return f"{found[1]}.coefficients" if found else ""
+    element = MAP.fullmatch(variable.name)
+    return f"{element[1]}.coefficients" if element else ""
 
 
 def find_causality(dae: Dae, variable: Variable) -> str:

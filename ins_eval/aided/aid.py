@@ -113,8 +113,8 @@ def aid_record(
         )
     known_at = float(drive.increments.start + last * drive.step)
     start = align_in_motion(drive, fixes, sensors, lever_arm)
-    found = estimate_drive(drive, fixes, sensors, start, lever_arm, last, maps or {})
-    sensors, filtered = found.sensors, found.filtered
+    estimate = estimate_drive(drive, fixes, sensors, start, lever_arm, last, maps or {})
+    sensors, filtered = estimate.sensors, estimate.filtered
     _check_outliers(fixes, filtered)
     count = len(sensors)
     own = filtered.covariance[-count:, -count:]
@@ -124,12 +124,12 @@ def aid_record(
         duration=last * drive.step,
         unused=0,
         filtered=filtered,
-        smoothed=found.smoothed,
+        smoothed=estimate.smoothed,
         sensors=sensors,
         bias_map=read_bias_map(sensors, filtered.coefficients, own, known_at),
         prior_map=read_bias_map(sensors, sensors.mean, sensors.covariance, known_at),
-        bench_tests=found.tests,
-        bench_used=found.used,
+        bench_tests=estimate.tests,
+        bench_used=estimate.used,
         visited=None if record.pattern_angle is None else record.pattern_angle[: last * drive.rows],
         hold_out=judge_hold_out(
             record.increments.between(last * drive.rows, len(record.increments)),

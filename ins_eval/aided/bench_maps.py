@@ -99,12 +99,12 @@ def _test(
 ) -> BenchTest:
     response, values, variances = _stack(sensors, maps)
     own, before = slice(COUNT, None), sensors.covariance
-    told = response @ (sensors.mean - before @ adjoint.gradient[own])
+    estimate = response @ (sensors.mean - before @ adjoint.gradient[own])
     left = response @ (before - before @ adjoint.information[own, own] @ before) @ response.T
     whiten = _whiten(response @ before @ response.T)
     shares, vectors = np.linalg.eigh(whiten @ left @ whiten.T)
     seen = vectors[:, shares < SEEN].T @ whiten
-    distance = seen @ (values - told)
+    distance = seen @ (values - estimate)
     spread = seen @ (left + np.diag(variances)) @ seen.T
     return BenchTest(name, float(distance @ np.linalg.solve(spread, distance)), len(seen))
 

@@ -17,14 +17,14 @@ BINS = 90
 
 
 def plot_maps(
-    told: BiasMap, prior: BiasMap, visited: Array | None, hold_out: HoldOut | None, name: str
+    estimate: BiasMap, prior: BiasMap, visited: Array | None, hold_out: HoldOut | None, name: str
 ) -> Figure:
     """Plot the map of each gyro with its one-sigma and the prior's, angles that the drive visited,
     and the error without fixes. visited: (m, 3) rad."""
     panels = len(COLOURS) + (hold_out is not None)
     figure = Figure(figsize=(8, 2.4 * panels), layout="constrained")
     rows = figure.subplots(panels, 1)
-    bias, sigma = (x / DEG_PER_H for x in told.evaluate(ANGLES))
+    bias, sigma = (x / DEG_PER_H for x in estimate.evaluate(ANGLES))
     known, spread = (x / DEG_PER_H for x in prior.evaluate(ANGLES))
     degrees = np.rad2deg(ANGLES)
     for axis, (title, colour) in enumerate(COLOURS.items()):

@@ -11,11 +11,12 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.aided.novatel import is_novatel, split_positions
+from ins_eval.aided.receivers import split_novatel, split_vectornav
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError, describe_briefly, quote
 from pyhrg.common.reading.documents import parse_csv
 from pyhrg.common.reading.files import decode, read_unpacked
+from pyhrg.common.reading.messages import is_novatel, is_vectornav
 from pyhrg.common.units import DEG
 
 TIME = "time_s"
@@ -35,7 +36,7 @@ HEIGHT_SIGMA = "height_sigma_m"
 """Optional column; without it, heights are as accurate as the other two."""
 KF_GINS = (TIME, *GROUPS["position"][:3], "sigma_north_m", "sigma_east_m", "sigma_down_m")
 """Columns of the text format of KF-GINS: no header, fields in white space; and of the positions of
-NovAtel messages."""
+NovAtel messages. Those of VectorNav messages go on with the velocity's."""
 LIMITS = {
     "latitude_deg": (-89.0, 89.0),
     "longitude_deg": (-360.0, 360.0),
@@ -102,7 +103,8 @@ def make_position_fixes(time: Array, position: Array, sigma: Array | float) -> F
 
 
 def read_fixes(path: Path | str) -> Fixes:
-    """Read fixes from a CSV file, KF-GINS text or NovAtel messages, gzipped or not (docs/aided.md).
+    """Read fixes from a CSV file, KF-GINS text, or messages of NovAtel or VectorNav, gzipped or not
+    (docs/aided.md).
 
     Raises:
         HrgError: an unreadable file; no position; a column that is missing or appears twice; a
@@ -110,17 +112,19 @@ def read_fixes(path: Path | str) -> Fixes:
     """
     source = Path(path)
     text = decode(source, read_unpacked(source))
-    kf_gins = _split_kf_gins if _is_kf_gins(text) else None
-    split = split_positions if is_novatel(text) else kf_gins
-    if split:
-        wanted, places = list(KF_GINS), list(range(len(KF_GINS)))
-        numbered = split(source, text)
+    if is_novatel(text):
+        wanted, numbered = list(KF_GINS), split_novatel(source, text)
+    elif is_vectornav(text):
+        wanted, numbered = [*KF_GINS, *GROUPS["velocity"]], split_vectornav(source, text)
+    elif _is_kf_gins(text):
+        wanted, numbered = list(KF_GINS), _split_kf_gins(source, text)
     else:
         (_, names), *numbered = list(parse_csv(source, text)) or [(1, [])]
         header = [name.strip() for name in names]
         wanted = _choose_columns(source, header)
         places = [header.index(name) for name in wanted]
-    rows = [_parse_row(source, number, row, wanted, places) for number, row in numbered]
+        numbered = [(n, [row[p] if p < len(row) else "" for p in places]) for n, row in numbered]
+    rows = [_parse_row(source, number, row, wanted) for number, row in numbered]
     values = np.array(rows).reshape(-1, len(wanted))
     columns = dict(zip(wanted, values.T, strict=True))
     if wanted[4] == KF_GINS[4]:
@@ -167,12 +171,10 @@ def _choose_columns(source: Path, header: Sequence[str]) -> list[str]:
     return wanted
 
 
-def _parse_row(
-    source: Path, number: int, row: list[str], names: Sequence[str], places: Sequence[int]
-) -> list[float]:
+def _parse_row(source: Path, number: int, row: list[str], names: Sequence[str]) -> list[float]:
     values = []
-    for name, place in zip(names, places, strict=True):
-        text = row[place].strip() if place < len(row) else ""
+    for name, field in zip(names, row, strict=True):
+        text = field.strip()
         if not text and name != TIME:
             values.append(np.nan)
             continue

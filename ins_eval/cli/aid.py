@@ -33,7 +33,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> None:
     check_output_folder(options.out)
     names = ("errors_of", "lever_arm_m", "hold_out_h", "bench", "bench_drift")
-    found = ins_eval.aid(options.log, options.fixes, **collect_given(options, names))
-    found.write(options.out)
-    print(found.summary)
-    print(f"\nwritten to {options.out}: {', '.join(found.files)}")
+    result = ins_eval.aid(options.log, options.fixes, **collect_given(options, names))
+    result.write(options.out)
+    print(result.summary)
+    print(f"\nwritten to {options.out}: {', '.join(result.files)}")

@@ -65,8 +65,8 @@ def _diagnose(options: argparse.Namespace) -> None:
         raise HrgError(f"{options.source}: found --bound, which is for campaigns")
     if is_record:
         record, belief = options.source, options.belief
-        found = pyhrg.diagnose_record(record, belief, trusted=options.trusted, out=options.out)
-        print(found.summary)
+        result = pyhrg.diagnose_record(record, belief, trusted=options.trusted, out=options.out)
+        print(result.summary)
         _print_place(options.out)
         return
     if options.belief is not None or options.trusted:

@@ -46,19 +46,19 @@ def run(options: argparse.Namespace) -> None:
     prior = pyhrg.make_drift_prior(device, age, share, LARGEST_LEAKAGE)
     if options.bench_error:
         prior = widen_prior(prior, device)
-    found = pyhrg.estimate_map(pyhrg.read_log(options.log), device, prior)
+    result = pyhrg.estimate_map(pyhrg.read_log(options.log), device, prior)
     weights = load_mission_weights(mission)
     after, before = (
-        compute_map_worth(weights, covariance, found.angle)
-        for covariance in (found.maps_covariance, found.maps_prior)
+        compute_map_worth(weights, covariance, result.angle)
+        for covariance in (result.maps_covariance, result.maps_prior)
     )
     if options.json:
         worth = zip(BODY, after.tolist(), before.tolist(), strict=True)
         errors = {axis: {"with_log": a, "without_log": b} for axis, a, b in worth}
         place = {"mission": mission.name, "hours": mission.hours}
-        print(json.dumps({**found.document, **place, "position_rms_m": errors}, indent=1))
+        print(json.dumps({**result.document, **place, "position_rms_m": errors}, indent=1))
         return
-    print(found.summary)
+    print(result.summary)
     print(f"\nrms position error by what is not known, {mission.name}, {mission.hours:g} h, m")
     for axis, known, unknown in zip(BODY, after, before, strict=True):
         print(f"gyro pointing {axis:10s}{known:10.0f} with the log{unknown:10.0f} without it")

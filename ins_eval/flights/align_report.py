@@ -142,14 +142,14 @@ class AlignedRecord:
 
     def _describe_prior(self) -> list[str]:
         """What the 1-sigma rests on, in words."""
-        found = self._document_prior().get("measured")
-        if found is None:
+        measured = self._document_prior().get("measured")
+        if measured is None:
             return [f"errors assumed: those of the {self.prior} IMU"]
         return [
-            f"noise of this record: {found['angle_random_walk_deg_per_sqrt_h']:.2g} deg/sqrt(h) "
-            f"within {found['angle_random_walk_relative_sigma']:.0%}, "
-            f"{found['velocity_random_walk_m_per_s_per_sqrt_s']:.2g} m/s/sqrt(s) within "
-            f"{found['velocity_random_walk_relative_sigma']:.0%}",
+            f"noise of this record: {measured['angle_random_walk_deg_per_sqrt_h']:.2g} deg/sqrt(h) "
+            f"within {measured['angle_random_walk_relative_sigma']:.0%}, "
+            f"{measured['velocity_random_walk_m_per_s_per_sqrt_s']:.2g} m/s/sqrt(s) within "
+            f"{measured['velocity_random_walk_relative_sigma']:.0%}",
             f"prior: random walks of the {self.prior} IMU, a decade wide; its biases are assumed",
         ]
 
@@ -186,8 +186,8 @@ class AlignedRecord:
         """Heading, pitch and roll, aligned less true; None if the truth isn't known."""
         if self.record.mat_nb is None:
             return None
-        found, true = (euler_from_mat(m) for m in (self.alignment.mat_nb, self.record.mat_nb))
-        roll, pitch, heading = np.rad2deg(np.subtract(found, true))
+        aligned, true = (euler_from_mat(m) for m in (self.alignment.mat_nb, self.record.mat_nb))
+        roll, pitch, heading = np.rad2deg(np.subtract(aligned, true))
         wrapped = (np.array([heading, pitch, roll]) + 180) % 360 - 180
         return dict(zip(ANGLES, map(float, wrapped), strict=True))
 

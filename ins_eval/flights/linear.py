@@ -145,11 +145,11 @@ def compute_error_budget(plan: Plan, truth: Truth, imu: Imu, run: Run) -> Budget
         initial[ATTITUDE] = turned.as_rotvec() - _explain_attitude_error(before, error)
         initial[ATTITUDE] -= _explain_attitude_error(before, deflected)
         model = join_models(before, model)
-    found = compute_weights(model)
+    weights = compute_weights(model)
     signals = _split_errors(imu, truth, run.seed, error, motion)
     if any(truth.trajectory.deflection):
         signals[DEFLECTION] = deflected
-    return Budget(compute_budget(found, signals, initial), found)
+    return Budget(compute_budget(weights, signals, initial), weights)
 
 
 def _split_errors(

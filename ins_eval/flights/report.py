@@ -205,8 +205,8 @@ def _end_document(flight: Flight) -> dict[str, Any]:
     names += ["heading_error_deg", "north_sigma_m", "east_sigma_m", "heading_sigma_deg"]
     names += ["latitude_deg", "longitude_deg"]
     values = {name: name.rpartition("_")[0] for name in names}
-    found = {name: last[short].values for name, short in values.items() if short in last}
-    numbers = to_json_value(found)
+    errors = {name: last[short].values for name, short in values.items() if short in last}
+    numbers = to_json_value(errors)
     return {"time_s": float(last["time"]), **numbers}
 
 

@@ -24,10 +24,10 @@ from pyhrg.records.imu.table_log import format_table
 
 
 def read_record(path: str | Path, trusted: bool = False) -> RecordedImu:
-    """Read a recorded IMU log: PSINS or KF-GINS text, CSV or Parquet, gzipped or not.
+    """Read a recorded IMU log in any format of docs/imus.md, gzipped or not.
 
     Args:
-        path: the file; the formats are in docs/imus.md.
+        path: the file.
         trusted: whether units and axes are taken as stated, even if gravity or Earth's rate
             contradict them.
 

@@ -131,10 +131,10 @@ def _size_mean(device: Device, own_axes: bool, calibrated: bool) -> float:
 def _read_scatter(device: Device) -> dict[str, complex]:
     """Turn-on to turn-on scatter of gain mismatch and non-orthogonality, by pick-offs and
     drives."""
-    found = device.turn_on_scatter
+    scatter = device.turn_on_scatter
     return {
         part: complex(
-            found.get(f"{part}.gainMismatch", 0.0), found.get(f"{part}.nonOrthogonality", 0.0)
+            scatter.get(f"{part}.gainMismatch", 0.0), scatter.get(f"{part}.nonOrthogonality", 0.0)
         )
         for part in ("pickOff", "drive")
     }

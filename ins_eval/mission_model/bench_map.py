@@ -53,11 +53,11 @@ def read_bench_map(path: Path | str, drift: tuple[float, float]) -> BenchMap:
     """
     findings = read_json_table(Path(path)).table("findings")
     known = {key: _read_finding(findings.table(key)) for key in KEYS if key in findings.values}
-    found = _assemble(known, drift)
-    if not np.isfinite(found.variances[:TERMS]).any():
+    bench_map = _assemble(known, drift)
+    if not np.isfinite(bench_map.variances[:TERMS]).any():
         expected = f"those of the test calibration, such as {next(iter(KEYS))}"
         raise findings.error("keys", ", ".join(findings.values) or "none", expected)
-    return found
+    return bench_map
 
 
 def make_bench_map(findings: Iterable[Finding]) -> BenchMap:

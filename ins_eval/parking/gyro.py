@@ -157,5 +157,7 @@ class MappedGyro:
 def measure_maps(bench: Bench, plan: Plan | None = None) -> MappedGyro:
     """The maker's calibration, power-ons apart: positions (the 24 of the bench's full-circumference
     test by default), 100 s each, and turns both ways."""
-    found = calibrate_once(bench, plan)
-    return MappedGyro(bench, make_angle_map(found.bias_map), apply_maps(bench.device, found))
+    calibration = calibrate_once(bench, plan)
+    return MappedGyro(
+        bench, make_angle_map(calibration.bias_map), apply_maps(bench.device, calibration)
+    )

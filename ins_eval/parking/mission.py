@@ -41,10 +41,10 @@ class Mission:
     def heading_error(self, measured: Increments, ready: float = -STILL) -> float:
         """Heading error of the alignment on increments over the intervals of the truth, clockwise,
         rad; all gyros are ready from time `ready`, s, on."""
-        found = align_at_rest(self.truth, measured, ready + STILL)
+        aligned = align_at_rest(self.truth, measured, ready + STILL)
         heading, true = (
             euler_from_mat(mat)[2]
-            for mat in (found, align_at_rest(self.truth, self.truth.increments, 0.0))
+            for mat in (aligned, align_at_rest(self.truth, self.truth.increments, 0.0))
         )
         return float(np.remainder(heading - true + np.pi, 2 * np.pi) - np.pi)
 

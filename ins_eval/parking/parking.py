@@ -81,5 +81,7 @@ def compare_parking(
     path = load_trajectory(trajectory, minutes * 60 + MARGIN, STILL)
     mission = sample_mission(path, minutes / 60)
     checked_seed = check_seed(seed)
-    found = compare(build_fmu(), mission, triads, checked_seed, workers=workers, progress=progress)
-    return ParkingComparison(**vars(found))
+    comparison = compare(
+        build_fmu(), mission, triads, checked_seed, workers=workers, progress=progress
+    )
+    return ParkingComparison(**vars(comparison))

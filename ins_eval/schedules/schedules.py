@@ -85,8 +85,10 @@ def compare_schedules(
     checked_seed, mission = check_seed(seed), _plan(trajectory, hours)
     planner = Planner(compute_mission_response(mission))
     experiment = Experiment(GyroFmu(build_fmu()), planner, sample_truth(mission))
-    found = compare(experiment, mission, triads, checked_seed, workers=workers, progress=progress)
-    return ScheduleComparison(**vars(found))
+    comparison = compare(
+        experiment, mission, triads, checked_seed, workers=workers, progress=progress
+    )
+    return ScheduleComparison(**vars(comparison))
 
 
 def _plan(trajectory: str, hours: float) -> StudyMission:

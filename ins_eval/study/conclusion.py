@@ -78,10 +78,10 @@ def score_agreement(study: Study, arrays: Arrays) -> list[Score]:
         (study.steady_agreement, STEADY_LOOPS, score.STEADY_AGREEMENT),
     )
     return [
-        found
+        agreement
         for size, flights, key in samples
         if size
-        for found in _score_groups(study, arrays, flights, key)
+        for agreement in _score_groups(study, arrays, flights, key)
     ]
 
 
@@ -177,8 +177,8 @@ def write_conclusion(study: Study, arrays: Arrays, folder: Path) -> None:
     witnessed = tabulate_witnessed(study, arrays)
     if study.witnessed:
         witnessed.to_csv(folder / WITNESS_TABLE, index=False)
-    told = score_witnesses(witnessed, study.seed)
-    document = _make_document(study, scores, _describe_lead(study, arrays), phase, told)
+    witness_scores = score_witnesses(witnessed, study.seed)
+    document = _make_document(study, scores, _describe_lead(study, arrays), phase, witness_scores)
     (folder / DOCUMENT).write_text(json.dumps(document, indent=1, allow_nan=False) + "\n")
     page.write_page(check_study_data(frame, document), folder)
 
@@ -188,7 +188,7 @@ def _make_document(
     scores: list[Score],
     lead_case: dict[str, Any],
     phase: dict[str, Any],
-    told: list[WitnessScore],
+    witness_scores: list[WitnessScore],
 ) -> dict[str, Any]:
     """Content of study.json: what was studied, with which versions, and all scores."""
     return {
@@ -204,7 +204,7 @@ def _make_document(
         CONDITIONS_KEY: {c.title: c.what for c in CONDITIONS} if study.conditions else {},
         LEAD_KEY: lead_case,
         PHASE_KEY: phase,
-        WITNESS_KEY: [asdict(each) for each in told],
+        WITNESS_KEY: [asdict(each) for each in witness_scores],
         "made_by": list_versions(),
         "scores": [each.describe() for each in scores],
     }

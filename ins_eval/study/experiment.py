@@ -273,8 +273,8 @@ def _witness(
     flown = study.missions[number]
     truth = load_truth(flown.file_name, flown.content, flown.hours)
     fmus, end = (load_fmu("HRG"), load_fmu("HRGSlow")), select_time(weights, -1)
-    found = witness_triads(fmus, truth, end, number, believed, triads)
-    return {f"{method}/{number}/{WITNESS}/{name}": values for name, values in found.items()}
+    estimates = witness_triads(fmus, truth, end, number, believed, triads)
+    return {f"{method}/{number}/{WITNESS}/{name}": values for name, values in estimates.items()}
 
 
 def _fill_block(triads: range, errors: dict[int, Array], times: int) -> Array:

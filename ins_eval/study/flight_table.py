@@ -100,9 +100,9 @@ def tabulate_witnessed(study: Study, arrays: Arrays) -> pd.DataFrame:
     for method in list_methods(study):
         triads = select_triads(arrays, method)
         for number, mission in enumerate(study.missions):
-            found = select_witnesses(arrays, method, number)
+            estimates = select_witnesses(arrays, method, number)
             flights = tabulate_witnesses(
-                found, triads, weights[number], sensors, inside, study.seed
+                estimates, triads, weights[number], sensors, inside, study.seed
             )
             named = (method, mission.mission_class, mission.name)
             parts.append(flights.assign(**dict(zip(KEYS, named, strict=False))))

@@ -154,8 +154,16 @@ def compute_phase_diagram(training: TriadBlock, drift: MapDrift, seed: int) -> l
     for turning in TURNING.tolist():
         for ratio, shares in _fly(gyros, turning, seed):
             for test, inside in shares.items():
-                found = bootstrap(_average, [inside.mean(axis=1, keepdims=True)], seed)
-                values = (turning, ratio, test, found.value, found.low, found.high, len(inside))
+                average = bootstrap(_average, [inside.mean(axis=1, keepdims=True)], seed)
+                values = (
+                    turning,
+                    ratio,
+                    test,
+                    average.value,
+                    average.low,
+                    average.high,
+                    len(inside),
+                )
                 rows.append(dict(zip(COLUMNS, values, strict=True)))
     return rows
 

@@ -80,12 +80,12 @@ def read_settings(top: TomlTable) -> dict[str, Settings]:
     return read
 
 
-def _check_ends(table: TomlTable, found: Settings, low: str, high: str) -> None:
+def _check_ends(table: TomlTable, values: Settings, low: str, high: str) -> None:
     keys = {key.field: key.name for key in SETTING_TABLES[table.prefix.removesuffix(".")]}
-    for one, other in ((low, high), (high, low)):
-        if one in found and other not in found:
-            raise table.missing(keys[other], f"a number beside {keys[one]}")
-    if low in found and found[low] > found[high]:
+    for present, missing in ((low, high), (high, low)):
+        if present in values and missing not in values:
+            raise table.missing(keys[missing], f"a number beside {keys[present]}")
+    if low in values and values[low] > values[high]:
         raise table.error(keys[high], table.values[keys[high]], f"{keys[low]} or more")
 
 
@@ -167,9 +167,9 @@ def check_triads(study: Study, source: str) -> None:
             f"refutes intervals of {study.interval_percent:g} % that are too wide",
         )
     for key in ("conditions", "agreement", "steady_agreement", "witnessed"):
-        found = getattr(study, key)
-        if found > study.judged or found == 1:
-            raise top.error(key, found, f"0, or 2 to {study.judged}, the triads that are judged")
+        count = getattr(study, key)
+        if count > study.judged or count == 1:
+            raise top.error(key, count, f"0, or 2 to {study.judged}, the triads that are judged")
     if study.lead > study.triads:
         raise top.error("lead", study.lead, f"0 to {study.triads}, the number of triads")
     if study.conditions and MEAN not in study.calibrations:
@@ -179,15 +179,17 @@ def check_triads(study: Study, source: str) -> None:
 
 
 def _read_calibrations(top: TomlTable) -> tuple[str, ...]:
-    found = top.values.get("calibrations", list(CALIBRATIONS))
+    calibrations = top.values.get("calibrations", list(CALIBRATIONS))
     if (
-        not isinstance(found, list)
-        or not found
-        or any(name not in CALIBRATIONS for name in found)
-        or len(set(found)) < len(found)
+        not isinstance(calibrations, list)
+        or not calibrations
+        or any(name not in CALIBRATIONS for name in calibrations)
+        or len(set(calibrations)) < len(calibrations)
     ):
-        raise top.error("calibrations", found, f"some of {', '.join(CALIBRATIONS)}, each once")
-    return tuple(found)
+        raise top.error(
+            "calibrations", calibrations, f"some of {', '.join(CALIBRATIONS)}, each once"
+        )
+    return tuple(calibrations)
 
 
 def _read_missions(top: TomlTable, folder: Path, hours: float) -> Iterator[PlannedMission]:

@@ -119,12 +119,12 @@ def describe_structure(
 
 def _collect_connectors() -> dict[str, dict[str, tuple[str, str]]]:
     """Kind and unit of each component's connectors by name."""
-    found: dict[str, dict[str, tuple[str, str]]] = {component: {} for component in SOURCES}
+    connectors: dict[str, dict[str, tuple[str, str]]] = {component: {} for component in SOURCES}
     for connection in list_connections():
         for (component, name), kind in ((connection.start, "output"), (connection.end, "input")):
-            found[component][name] = kind, connection.unit
-    found[NAVIGATOR] |= {name: ("output", unit) for name, unit in OUTPUTS.items()}
-    return found
+            connectors[component][name] = kind, connection.unit
+    connectors[NAVIGATOR] |= {name: ("output", unit) for name, unit in OUTPUTS.items()}
+    return connectors
 
 
 def _describe_component(

@@ -84,9 +84,9 @@ class Checked:
 
     def __post_init__(self) -> None:
         for key, f, kind in keys(type(self)):
-            found = kind.to_file(getattr(self, f.name))
-            if not (kind.holds(found) or (found is None and f.default is None)):
-                shown = f"{found:.10g}" if isinstance(found, float) else quote(found)
+            value = kind.to_file(getattr(self, f.name))
+            if not (kind.holds(value) or (value is None and f.default is None)):
+                shown = f"{value:.10g}" if isinstance(value, float) else quote(value)
                 raise TrajectoryError(f"{key}: found {shown}, expected {kind.expected}")
 
 

@@ -3,16 +3,19 @@
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pandas as pd
-from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 from scipy import stats
 
 from pyhrg.common import units
 from pyhrg.common.errors import HrgError
 from pyhrg.common.pages.markup import Table
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure  # slow, and needed where figures are drawn alone
 
 UNITS = {
     "deg/h": units.DEG_PER_H,
@@ -108,7 +111,7 @@ class Outcome:
     tables: tuple[Table, ...] = ()
     warnings: tuple[str, ...] = ()
     exclusions: tuple[str, ...] = ()
-    draw: Callable[[Figure], None] | None = None
+    draw: "Callable[[Figure], None] | None" = None
     values: dict[str, object] = field(default_factory=dict)
     points: pd.DataFrame = field(default_factory=pd.DataFrame)
 

@@ -118,15 +118,15 @@ class Folder:
         asked |= {"level": settings.level, "data": settings.data}
         text = encode_json({**asked, MADE_BY: list_versions()})
         if self.settings.exists() and read_bytes(self.settings, DOCUMENT_BYTES) != text:
-            found = read_json(self.settings)
-            if differs := find_difference(found.pop(MADE_BY, None), list_versions()):
+            begun = read_json(self.settings)
+            if differs := find_difference(begun.pop(MADE_BY, None), list_versions()):
                 key, was, now = differs
                 raise ChallengeError(
                     f"{self.settings}: begun by another version: {key}: found {was}, expected "
                     f"{now}; results of two versions are not mixed: take an empty folder"
                 )
             raise ChallengeError(
-                f"{self.settings}: another challenge was begun here: found {found}, "
+                f"{self.settings}: another challenge was begun here: found {begun}, "
                 f"expected {asked}, or an empty folder"
             )
         write_whole(self.settings, text)

@@ -55,13 +55,13 @@ def check_identity(file: Path, identity: Mapping[str, Any]) -> None:
     if not file.exists():
         return
     document = read_json(file)
-    found = {key: document.get(key) for key in identity}
-    if differs := find_difference(found, dict(identity)):
+    recorded = {key: document.get(key) for key in identity}
+    if differs := find_difference(recorded, dict(identity)):
         key, here, asked = differs
         difference = f"{key}: found {here!r}, expected {asked!r}"
         if key.endswith(DIGEST):
             key = key.removesuffix(DIGEST)
-            difference = f"{key}: found {found.get(key)!r} with other values than now"
+            difference = f"{key}: found {recorded.get(key)!r} with other values than now"
         raise HrgError(
             f"{file}: another run: {difference}; choose another folder, or replace what is there "
             "with --force"

@@ -5,9 +5,9 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from importlib import import_module
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pandas as pd
-from matplotlib.axes import Axes
 
 from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.extras import require_extra
@@ -28,7 +28,6 @@ from pyhrg.gap.evidence.attribution import Attribution, attribute_gap
 from pyhrg.gap.evidence.hypothesis import Hypothesis
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_search import find_noise_equivalents
-from pyhrg.gap.evidence.noise.quantization import add_quantization
 from pyhrg.gap.evidence.residuals import compute_residuals
 from pyhrg.gap.findings import diagnosis as diagnosis_file
 from pyhrg.gap.findings import verdict as verdicts
@@ -47,6 +46,9 @@ from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
 from pyhrg.records import campaign as campaigns
 from pyhrg.records.campaign import Campaign
 from pyhrg.records.columns import BY_FIELD
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes  # slow, and needed by `plot` alone
 
 BEFORE_FILE, AFTER_FILE = "before.toml", "after.toml"
 """Device files of the nominal and of the identified device."""
@@ -127,7 +129,7 @@ class CampaignDiagnosis:
         table.attrs["units"] = units
         return table
 
-    def plot(self, test_id: str | None = None, axes: Axes | None = None) -> Axes:
+    def plot(self, test_id: str | None = None, axes: "Axes | None" = None) -> "Axes":
         """Draw the output-angle residual of one test before and after closing.
 
         Args:
@@ -196,13 +198,13 @@ def diagnose(
     if not isinstance(campaign, Campaign):
         campaign = campaigns.read_campaign(Path(campaign), any_sign=True)
     simulation = simulation or load_simulation(report)
-    prepared = prepare_campaign(campaign, simulation)
+    prepared = prepare_campaign(campaign, simulation, catalogue.noises)
     nominal, tests = prepared.nominal, prepared.tests
     fitted = [test for test in tests if not test.test.is_holdout]
-    attribution = attribute_gap(simulation, nominal, fitted, catalogue, report)
+    attribution = attribute_gap(simulation, prepared.read_device, fitted, catalogue, report)
     attribution = refine_terms(simulation, attribution, catalogue.noises)
     hypotheses = tuple(
-        replace(h, noise=_complete_noise(attribution, fitted, catalogue.noises, h))
+        replace(h, noise=_complete_noise(attribution, prepared, catalogue.noises, h))
         for h in attribution.posterior.hypotheses
     )
     posterior = replace(attribution.posterior, hypotheses=hypotheses)
@@ -221,7 +223,7 @@ def diagnose(
 
 def _complete_noise(
     attribution: Attribution,
-    tests: Sequence[ObservedTest],
+    prepared: Preparation,
     noises: Sequence[NoiseEffect],
     hypothesis: Hypothesis,
 ) -> NoiseHypothesis:
@@ -232,7 +234,9 @@ def _complete_noise(
         parts, channels = attribution.parts, attribution.channel_noise
         residuals = compute_residuals(parts, hypothesis.sizes, channels, nominal, ("gyro_angle",))
         noise = find_noise_equivalents(noise, residuals, build_angle_noise(nominal), noises)
-    return add_quantization(noise, tests, nominal.quantization_step, noises)
+    if prepared.quantization:
+        noise = replace(noise, added=(*noise.added, prepared.quantization))
+    return noise
 
 
 def _summarize(
@@ -256,7 +260,7 @@ def _summarize(
         features,
         left.exceeds(bound),
     )
-    stated = build_angle_noise(attribution.nominal)
+    stated = build_angle_noise(prepared.nominal)
     stated_noise = replace(attribution.channel_noise, angle=stated)
     count = len(attribution.parts)
     return Diagnosis(

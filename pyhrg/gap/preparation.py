@@ -6,6 +6,9 @@ from typing import NamedTuple
 
 from pyhrg.common.units import ZERO_CELSIUS
 from pyhrg.device.device import Device
+from pyhrg.gap.effects.catalogue import NOISES, NoiseEffect
+from pyhrg.gap.evidence.noise.noise_hypothesis import AddedNoise
+from pyhrg.gap.evidence.noise.quantization import find_quantization, put_quantization
 from pyhrg.gap.evidence.noise.unstated_noise import complete_stated_noise, require_noise
 from pyhrg.gap.replay.free_pattern import truncate_free_pattern
 from pyhrg.gap.replay.noise_growth import add_noise_growth
@@ -32,18 +35,27 @@ class Preparation(NamedTuple):
     """What a diagnosis works on.
 
     tests: that can be used, held-out ones last; sentences: one on each thing that was left out,
-    mended or assumed; faults: of bench and record.
+    mended or assumed; faults: of bench and record; quantization: that the readings show and the
+    nominal device does not state.
     """
 
     nominal: Device
     tests: list[ObservedTest]
     sentences: tuple[str, ...]
     faults: tuple[Fault, ...]
+    quantization: AddedNoise | None
+
+    @property
+    def read_device(self) -> Device:
+        """The nominal device with the quantization that the readings show."""
+        return put_quantization(self.nominal, self.quantization)
 
 
-def prepare_campaign(campaign: Campaign, simulation: Simulation) -> Preparation:
+def prepare_campaign(
+    campaign: Campaign, simulation: Simulation, noises: Sequence[NoiseEffect] = NOISES
+) -> Preparation:
     """Screen a campaign, complete the noise that its nominal device states, and select what each
-    test has to compare.
+    test has to compare. `noises` are those that may be named.
 
     Raises:
         CampaignError: no test can be fitted.
@@ -52,13 +64,15 @@ def prepare_campaign(campaign: Campaign, simulation: Simulation) -> Preparation:
     observed = observe_tests(started, nominal)
     to_fit = [test for test in observed if not test.test.is_holdout]
     nominal, notes = complete_stated_noise(simulation, nominal, to_fit)
+    quantization = find_quantization(to_fit, nominal.quantization_step, noises)
     noise = estimate_reading_noise([t.log for t in started if not t.is_holdout])
     excluded += (*notes, *describe_reading_noise(noise))
     observed = [_complete_test(simulation, nominal, test, noise) for test in observed]
     excluded += _describe_soaked(observed)
     tests = list(add_noise_growth(observed, nominal))
     tests.sort(key=lambda test: test.test.is_holdout)
-    return Preparation(nominal, tests, excluded, (*faults, *list_reading_faults(noise)))
+    faults = (*faults, *list_reading_faults(noise))
+    return Preparation(nominal, tests, excluded, faults, quantization)
 
 
 def describe_preparation(campaign: Campaign) -> str:

@@ -104,8 +104,8 @@ def _stack_values(table: Table) -> Array:
     return np.stack(list(table.columns.values()), axis=-1)
 
 
-def _are_equal(one: Array, other: Array) -> NDArray[np.bool_]:
-    return np.isclose(one, other, rtol=0, atol=0, equal_nan=True)
+def _are_equal(first: Array, second: Array) -> NDArray[np.bool_]:
+    return np.isclose(first, second, rtol=0, atol=0, equal_nan=True)
 
 
 def find_interval(table: Table, stated: float | None) -> float:

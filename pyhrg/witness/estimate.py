@@ -20,6 +20,9 @@ from pyhrg.witness.prior import Prior
 from pyhrg.witness.replay import read_witnesses
 from pyhrg.witness.responses import measure_output, measure_responses
 
+DELAY_SIGMA = 0.02
+"""Standard deviation of the prior of the amplitude force's delay beside the other channels, s.
+Chosen: two periods of a recorder at 100 Hz."""
 SIGMAS = f"{'sigma':>12s}{'without log':>12s}"
 """Heading of two columns of standard deviations."""
 
@@ -39,6 +42,8 @@ class MapEstimate:
         maps_prior: (2 TERMS, 2 TERMS) covariance of the present maps without the log.
         temperature: temperature of the resonator above its reference at the log's end, K.
         angle: pattern angle at the log's end, rad.
+        delay, delay_sigma: time by which the amplitude force was recorded late, with its standard
+            deviation, s.
         burst_share: share of the log's rows that were down-weighted as bursts.
         p_value: probability of innovations as far from white as these, if the model holds.
         is_explained: whether drifting mechanisms explain the channels and the estimate has settled.
@@ -54,6 +59,8 @@ class MapEstimate:
     maps_prior: Array
     temperature: float
     angle: float
+    delay: float
+    delay_sigma: float
     burst_share: float
     p_value: float
     is_explained: bool
@@ -79,6 +86,7 @@ class MapEstimate:
             ),
             "",
             f"temperature {self.temperature:+.2f} K; {self.burst_share:.1%} of the rows are bursts",
+            f"amplitude force {self.delay:.4f} +- {self.delay_sigma:.4f} s late",
         ]
         if fixed := [
             n for n, v in zip(NAMES, self.prior.covariance.diagonal(), strict=True) if not v
@@ -110,6 +118,8 @@ class MapEstimate:
             "bias_map_deg_h": self._tabulate_map(),
             "changes": self._tabulate_changes(),
             "temperature_k": float(self.temperature),
+            "delay_s": self.delay,
+            "delay_sigma_s": self.delay_sigma,
             "burst_share": float(self.burst_share),
             "p_value": float(self.p_value),
             "is_explained": self.is_explained,
@@ -144,7 +154,9 @@ class MapEstimate:
         }
 
 
-def estimate_map(log: Log, device: Device, prior: Prior) -> MapEstimate:
+def estimate_map(
+    log: Log, device: Device, prior: Prior, delay_sigma: float = DELAY_SIGMA
+) -> MapEstimate:
     """Estimate the bias map of a gyro at the end of a log from the gyro's own channels.
 
     The FMU is run with the log's motion. Changes of the mechanisms are fitted to the differences of
@@ -154,13 +166,15 @@ def estimate_map(log: Log, device: Device, prior: Prior) -> MapEstimate:
         log: with the columns of `replay.REQUIRED`; rows of 0.01 to 1 s.
         device: the gyro as it was calibrated.
         prior: distribution of the changes (`make_drift_prior`).
+        delay_sigma: standard deviation, s, of the time by which the amplitude force was recorded
+            later than the other channels, before the log is read; 0 where one clock records all.
 
     Raises:
         HrgError: the log lacks a column, is too short, or has commands but virtual rotation.
     """
     witnesses = read_witnesses(log, device)
     slow, fast = GyroFmu(build_fmu("HRGSlow")), GyroFmu(build_fmu("HRG"))
-    gyro = Flown(device, witnesses, prior, measure_responses(slow, device))
+    gyro = Flown(device, witnesses, prior, measure_responses(slow, device), delay_sigma)
     (fitted,) = fit_changes(fast, slow, [gyro])
     changes, covariance = fitted.changes, fitted.covariance
     if not fitted.is_explained:
@@ -176,6 +190,8 @@ def estimate_map(log: Log, device: Device, prior: Prior) -> MapEstimate:
         maps_prior=response @ prior.covariance @ response.T,
         temperature=fitted.temperature,
         angle=fitted.angle,
+        delay=fitted.delay,
+        delay_sigma=fitted.delay_sigma,
         burst_share=fitted.burst_share,
         p_value=fitted.p_value,
         is_explained=fitted.is_explained,

@@ -11,6 +11,7 @@ import numpy as np
 from scipy.stats import chi2
 
 from pyhrg.common.arrays import Array
+from pyhrg.common.caches.compiled import compile_loop
 
 HUBER = 3.0
 """Innovation beyond which a row loses weight, in standard deviations. Chosen: 0.3 % of normal
@@ -47,28 +48,50 @@ def filter_rows(
     scatter: (channels,) standard deviations of rows, `noise` by default: more where noise that
     averages out faster than white noise adds to it. Bursts are judged by it.
     """
-    scatter = noise if scatter is None else scatter
-    count, channels, states = design.shape
-    mean, covariance = np.zeros(states), prior.copy()
-    weights, innovations = np.ones((count, channels)), np.empty((count, channels))
-    identity = np.eye(states)
-    for row in range(count):
-        for channel in range(channels):
-            sensitivity = design[row, channel]
-            spread = covariance @ sensitivity
-            predicted = float(sensitivity @ spread)
+    weights, innovations = np.ones(values.shape), np.empty(values.shape)
+    mean, covariance = np.zeros(len(prior)), prior.copy()
+    told = noise if scatter is None else scatter
+    _filter_in_order(design, values, noise, told, mean, covariance, weights, innovations)
+    return Filtered(mean, covariance, weights, compute_whiteness(innovations))
+
+
+@compile_loop
+def _filter_in_order(
+    design: Array,
+    values: Array,
+    noise: Array,
+    scatter: Array,
+    mean: Array,
+    covariance: Array,
+    weights: Array,
+    innovations: Array,
+) -> None:
+    """Bring mean and covariance from the prior to the estimate; fill in weights and innovations."""
+    states = len(mean)
+    spread = np.empty(states)
+    for row in range(len(values)):
+        for channel in range(values.shape[1]):
+            predicted, error = 0.0, values[row, channel]
+            for i in range(states):
+                spread[i] = 0.0
+                for j in range(states):
+                    spread[i] += covariance[i, j] * design[row, channel, j]
+                predicted += design[row, channel, i] * spread[i]
+                error -= design[row, channel, i] * mean[i]
             variance = noise[channel] ** 2
-            error = float(values[row, channel] - sensitivity @ mean)
             size = abs(error) / np.sqrt(predicted + scatter[channel] ** 2)
             if size > HUBER:
                 weights[row, channel] = HUBER / size
                 variance = (error / HUBER) ** 2 - predicted
-            innovations[row, channel] = error / np.sqrt(predicted + variance)
-            gain = spread / (predicted + variance)
-            left = identity - np.outer(gain, sensitivity)
-            mean = mean + gain * error
-            covariance = left @ covariance @ left.T + variance * np.outer(gain, gain)
-    return Filtered(mean, covariance, weights, compute_whiteness(innovations))
+            total = predicted + variance
+            innovations[row, channel] = error / np.sqrt(total)
+            for i in range(states):
+                gain = spread[i] / total
+                mean[i] += gain * error
+                for j in range(states):
+                    other = spread[j] / total
+                    joseph = gain * other * total - gain * spread[j] - spread[i] * other
+                    covariance[i, j] += joseph
 
 
 def compute_whiteness(innovations: Array) -> float:

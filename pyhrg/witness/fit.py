@@ -1,6 +1,6 @@
 """Changes of a gyro's mechanisms that explain its forces (docs/methods/witness.md, Eq. 8)."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
 
@@ -8,34 +8,25 @@ import numpy as np
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
-from pyhrg.fmu import CONTROL_PERIOD, WIDE, GyroFmu, record_together
+from pyhrg.fmu import CONTROL_PERIOD, GyroFmu, record_together
 from pyhrg.witness.design import Motion, compute_change_design, evaluate_motion
 from pyhrg.witness.filter import filter_rows
+from pyhrg.witness.following import begin, follow, follow_slowly
 from pyhrg.witness.information import compute_normalized_square, factor_covariance
-from pyhrg.witness.mechanisms import COUNT, FOLLOWED, STEADY, TEMPERATURE_RATE, change_device
+from pyhrg.witness.mechanisms import COUNT, FOLLOWED, TEMPERATURE_RATE, change_device
 from pyhrg.witness.prior import Prior
-from pyhrg.witness.replay import SETTLING, Course, Replay, Witnesses, guess_course, replay
-from pyhrg.witness.responses import FORCES, Responses, measure_channels, measure_responses
+from pyhrg.witness.replay import SETTLING, Replay, Witnesses
+from pyhrg.witness.responses import FORCES, Responses, measure_responses
 
 STAGES = 6
-"""Largest number of times that the gyro is replayed and its sensitivities are taken, with the
-changes of the time before. Chosen: two or three are usual."""
+"""Largest number of times that the gyro is replayed with the changes of the time before. Chosen:
+four are usual."""
 CONVERGENCE_CHI2 = 1.0
 """The fit has converged when a stage moves no gyro's changes by more than this, as a normalised
 square. Chosen."""
-FOLLOWED_ANGLE = 1e-9
-"""Rms error of the simulated angles at which a course is followed, rad. Derived: a frequency split
-of 1 mHz makes of it a quadrature force of 1e-11 1/s, a tenth of what an angle random walk of 1e-4
-deg/sqrt(h) leaves of the force in two hours."""
-COARSE_ANGLE = 1e-6
-"""Rms error of the angles at which the first stage's course is followed, rad. Chosen: its estimate
-is only a start, a hundred sigmas off by linearity."""
-ROUNDS = 3
-"""Number of times that each stage filters its rows, the later ones less what linearity missed.
-Chosen: stages are then three at most and mostly two."""
-REPLAYS = 8
-"""Largest number of replays in each stage. Derived: each leaves of the angle's error the bias map's
-slope times the flight's duration, 0.04 for 1.5 deg/h in two hours."""
+CORRECTION_CHI2 = 10.0
+"""Largest move of the changes, as a normalised square, that what `HRG` shows beyond `HRGSlow` is
+taken to survive. Derived: a move by 1e5 made it wrong by 200, so 10 makes it wrong by 0.02."""
 BLOCK = 5.0
 """Time over which rows are averaged before they are compared, s. Chosen: pick-off noise, which the
 loops differentiate, is then below force noise."""
@@ -58,12 +49,15 @@ class Flown:
         witnesses: witness channels of the gyro's flight.
         prior: prior of the gyro's changes.
         responses: responses of the device; its noise is that of the forces.
+        delay_sigma: standard deviation of the prior of the time by which the amplitude force was
+            recorded late, s; the other channels have one clock.
     """
 
     device: Device
     witnesses: Witnesses
     prior: Prior
     responses: Responses
+    delay_sigma: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -79,6 +73,8 @@ class FittedChanges:
         burst_share: share of the rows that were limited.
         p_value: probability of innovations as far from white as these, if the model holds.
         moved: normalised square of what the last stage changed.
+        delay, delay_sigma: time by which the amplitude force was recorded late, with its standard
+            deviation, s.
     """
 
     changes: Array
@@ -89,6 +85,8 @@ class FittedChanges:
     burst_share: float
     p_value: float
     moved: float
+    delay: float
+    delay_sigma: float
 
     @property
     def is_explained(self) -> bool:
@@ -100,54 +98,38 @@ class FittedChanges:
 def fit_changes(fast: GyroFmu, slow: GyroFmu, gyros: Sequence[Flown]) -> list[FittedChanges]:
     """The mechanisms' changes of gyros in flights of one length, by Gauss-Newton.
 
-    Each stage replays the gyros with the changes of the last one and filters all rows. It subtracts
-    what linearity missed of the quasi-static forces and filters again. A gyro that has settled is
-    left alone, so that its estimate does not depend on the others.
+    Each stage replays the gyros with the changes of the last one and filters all rows. The first
+    stage knows `HRGSlow` alone. After it sensitivities are taken anew, once: later stages move the
+    changes by little. A gyro that has settled is left alone, so that its estimate does not depend
+    on the others.
 
     fast: `HRG`; slow: `HRGSlow`.
     """
-    courses = [guess_course(each.device, each.witnesses) for each in gyros]
+    followed = [begin(each.device, each.witnesses) for each in gyros]
+    responses = [each.responses for each in gyros]
     scatters = _measure_scatter(fast, [each.device for each in gyros])
     fitted: dict[int, FittedChanges] = {}
     moving = list(range(len(gyros)))
     for stage in range(STAGES):
         starts = {n: fitted[n].changes if stage else gyros[n].prior.mean for n in moving}
         changed = {n: change_device(gyros[n].device, starts[n]) for n in moving}
-        replays = _follow(fast, gyros, changed, courses, FOLLOWED_ANGLE if stage else COARSE_ANGLE)
+        if stage == 1:
+            for n in moving:
+                responses[n] = measure_responses(slow, changed[n], responses[n].noise)
+        if stage:
+            replays = follow((fast, slow), changed, followed)
+        else:
+            replays = follow_slowly(slow, changed, followed)
         for n in moving:
-            responses = gyros[n].responses
-            if stage:
-                responses = measure_responses(slow, changed[n], responses.noise)
-            fitted[n] = _fit_stage(slow, gyros[n], replays[n], starts[n], responses, scatters[n])
-        moving = [n for n in moving if not stage or fitted[n].moved >= CONVERGENCE_CHI2]
+            fitted[n] = _fit_stage(gyros[n], replays[n], starts[n], responses[n], scatters[n])
+            followed[n].is_corrected &= fitted[n].moved < CORRECTION_CHI2
+        moving = [
+            n for n in moving if not followed[n].is_corrected or fitted[n].moved >= CONVERGENCE_CHI2
+        ]
     return [fitted[n] for n in range(len(gyros))]
 
 
-def _follow(
-    fast: GyroFmu,
-    gyros: Sequence[Flown],
-    changed: Mapping[int, Device],
-    courses: list[Course],
-    tolerance: float,
-) -> dict[int, Replay]:
-    """Replays of changed devices, by their numbers, on courses that are corrected until angles
-    agree."""
-    replays: dict[int, Replay] = {}
-    unfollowed = list(changed)
-    for _ in range(REPLAYS):
-        for first in range(0, len(unfollowed), WIDE):
-            numbers = unfollowed[first : first + WIDE]
-            devices = [changed[n] for n in numbers]
-            witnesses = [gyros[n].witnesses for n in numbers]
-            found = replay(fast, devices, witnesses, [courses[n] for n in numbers])
-            for n, each in zip(numbers, found, strict=True):
-                replays[n], courses[n] = each, each.following
-        unfollowed = [n for n in unfollowed if replays[n].angle_error >= tolerance]
-    return replays
-
-
 def _fit_stage(
-    slow: GyroFmu,
     gyro: Flown,
     replayed: Replay,
     start: Array,
@@ -161,25 +143,20 @@ def _fit_stage(
     noise = responses.noise / np.sqrt(BLOCK)
     residuals = _average(replayed.residuals, witnesses.interval)
     told = np.isfinite(residuals).all(axis=0)
-    basis, design = _average_design(responses, replayed.motion)
-    changes, moved = start, np.zeros_like(residuals)
-    for left in reversed(range(ROUNDS)):
-        # the replay leaves out the bias by the rate of temperature, `moved` what follows a signal
-        about = np.where(TEMPERATURE_RATE, 0.0, np.where(STEADY, changes, start))
-        values = residuals - moved + design @ (about - prior.mean)
-        filtered = filter_rows(
-            design[:, told] @ root,
-            values[:, told],
-            noise[told],
-            np.eye(COUNT),
-            np.maximum(scatter, noise)[told],
-        )
-        changes = prior.mean + root @ filtered.mean
-        if left:
-            devices = [change_device(gyro.device, each) for each in (start, changes)]
-            before, after = measure_channels(slow, devices)[:, :2]
-            moved = basis @ (after - before).reshape(2, -1).T
-    covariance = root @ filtered.covariance @ root.T
+    design = _average_design(responses, replayed.motion)
+    late = _average_delay(witnesses.forces - replayed.residuals, witnesses.interval)
+    scaled = np.concatenate([design @ root, gyro.delay_sigma * late[:, :, None]], axis=2)
+    # the replay leaves out the bias by the rate of temperature
+    values = residuals + design @ (np.where(TEMPERATURE_RATE, 0.0, start) - prior.mean)
+    filtered = filter_rows(
+        scaled[:, told],
+        values[:, told],
+        noise[told],
+        np.eye(COUNT + 1),
+        np.maximum(scatter, noise)[told],
+    )
+    changes = prior.mean + root @ filtered.mean[:COUNT]
+    covariance = root @ filtered.covariance[:COUNT, :COUNT] @ root.T
     return FittedChanges(
         changes=changes,
         covariance=covariance,
@@ -189,12 +166,13 @@ def _fit_stage(
         burst_share=float(np.mean(filtered.weights < 1)),
         p_value=filtered.p_value,
         moved=compute_normalized_square(changes - start, covariance)[0],
+        delay=gyro.delay_sigma * float(filtered.mean[COUNT]),
+        delay_sigma=gyro.delay_sigma * float(np.sqrt(filtered.covariance[COUNT, COUNT])),
     )
 
 
-def _average_design(responses: Responses, motion: Motion) -> tuple[Array, Array]:
-    """(b, POWERS MOTIONS TERMS) terms of the quasi-static forces, and (b, 2, COUNT) sensitivities,
-    averaged over `BLOCK`."""
+def _average_design(responses: Responses, motion: Motion) -> Array:
+    """(b, 2, COUNT) sensitivities, averaged over `BLOCK`."""
     terms = evaluate_motion(motion).reshape(len(motion.angle), -1)
     flat = responses.forces.reshape(COUNT, 2, -1)
     averaged = [_average(terms * each[:, None], motion.interval) for each in motion.signals.T]
@@ -203,7 +181,13 @@ def _average_design(responses: Responses, motion: Motion) -> tuple[Array, Array]
         acting = place == FOLLOWED
         design[:, :, acting] = np.einsum("bt,cft->bfc", rows, flat[acting])
     changing = compute_change_design(responses.forces, motion, responses.angular_gain)
-    return averaged[0], design + _average(changing, motion.interval)
+    return design + _average(changing, motion.interval)
+
+
+def _average_delay(forces: Array, interval: float) -> Array:
+    """(b, 2) change of blocks of simulated forces (n, 2) per second of delay of the first one."""
+    slopes = np.gradient(forces, interval, axis=0)
+    return _average(slopes * np.array([-1.0, 0.0]), interval)
 
 
 def _measure_scatter(fast: GyroFmu, devices: Sequence[Device]) -> Array:

@@ -118,6 +118,8 @@ STEADY = SIGNALS.index("one") == FOLLOWED
 """Which mechanisms act always."""
 TEMPERATURE_RATE = SIGNALS.index("temperature rate") == FOLLOWED
 """Which mechanisms act by the rate of the case's temperature."""
+ALONG = SIGNALS.index("force along") == FOLLOWED
+"""Which mechanisms act by the specific force along the input axis."""
 CHANGING = SIGNALS.index("force across") == FOLLOWED
 """Which mechanisms act on pick-offs as a signal changes."""
 THERMAL = np.array(["per kelvin" in name for name in NAMES])

@@ -1,10 +1,11 @@
 """Forces of a gyro that goes through a recorded motion, simulated by the FMU.
 
-The log has no true rate and no temperature of the resonator. Both are found in rounds: the rate is
-the one that turns the simulated pattern, as it is detected, through the recorded angles, and the
-temperature the one that gives the recorded frequency.
+The log has no true rate and no temperature of the resonator. Both are found in rounds
+(`following.py`): the rate is the one that turns the simulated pattern, as it is detected, through
+the recorded angles, and the temperature the one that gives the recorded frequency.
 """
 
+import math
 from collections.abc import Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
@@ -15,6 +16,7 @@ from scipy.ndimage import uniform_filter1d
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.device.device import Device
+from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import Gyro, GyroFmu, record_together
 from pyhrg.records.log import Log
 from pyhrg.witness.design import Motion, stack_signals
@@ -25,7 +27,10 @@ REQUIRED = ("wave_angle", "frequency_offset")
 RECORDED_FORCES = ("amplitude_force", "quadrature_force")
 """Columns of which at least one is needed."""
 STEP = 0.01
-"""Communication step, s. Chosen: ten control periods."""
+"""Communication step of `HRG`, s. Chosen: ten control periods."""
+SLOW_STEP = 0.1
+"""Longest communication step of `HRGSlow`, and its sample period, s. Chosen: a replay then takes a
+twentieth of the time of one of `HRG`."""
 SMOOTHING = 10.0
 """Time over which the frequency is averaged to give the temperature, s. Chosen: longer than
 `SOAKED_LAG`, so that rounds converge, and shorter than any thermal lag."""
@@ -73,15 +78,22 @@ class Replay:
 
     Attributes:
         residuals: (n, 2) recorded less simulated forces, 1/s; NaN where none was recorded.
-        angle_error: rms of recorded less simulated angles, rad.
+        angle_errors: (n,) recorded less simulated angles at the rows' ends, rad.
+        frequency_errors: (n,) recorded less simulated frequency, rad/s.
         motion: motion of the simulated gyro.
         following: how the next replay is to go, so that angles and frequency agree.
     """
 
     residuals: Array
-    angle_error: float
+    angle_errors: Array
+    frequency_errors: Array
     motion: Motion
     following: "Course"
+
+    @property
+    def angle_error(self) -> float:
+        """Rms of recorded less simulated angles, rad."""
+        return float(np.sqrt(np.mean(self.angle_errors**2)))
 
 
 @dataclass(frozen=True)
@@ -152,12 +164,17 @@ def replay(
     witnesses: Sequence[Witnesses],
     courses: Sequence[Course],
 ) -> list[Replay]:
-    """The FMU `HRG` of each device on its course, all together."""
+    """Each device on its course, all together.
+
+    fmu: `HRG`, or `HRGSlow` for a gyro whose loops are at rest.
+    """
     runs = list(zip(devices, witnesses, courses, strict=True))
     intervals = {each.interval for each in witnesses}
     if len(intervals) > 1:
         raise ValueError("found logs of other intervals, expected one for all")
-    steps = max(1, round(witnesses[0].interval / STEP))
+    interval = witnesses[0].interval
+    steps = max(1, round(interval / STEP) if fmu.is_sampled else math.ceil(interval / SLOW_STEP))
+    step = interval / steps
     moving = [_list_moving(*each, steps) for each in runs]
     held = [
         {f"acceleration{x}": each.specific_force[:, i] for i, x in enumerate("XYZ")}
@@ -165,19 +182,22 @@ def replay(
         for each in witnesses
     ]
     with ExitStack() as stack:
-        gyros = [stack.enter_context(_power_on(fmu, d, c.start)) for d, _, c in runs]
+        gyros = [stack.enter_context(_power_on(fmu, d, c.start, step)) for d, _, c in runs]
         names = [*FORCES, "frequencyOffset"]
-        step = witnesses[0].interval / steps
         recorded = record_together(gyros, moving, held, step, ["patternAngle"], names)
     return [
         _compare(*run, ends[:, 0], means) for run, (ends, means) in zip(runs, recorded, strict=True)
     ]
 
 
-def _power_on(fmu: GyroFmu, device: Device, start: float) -> Gyro:
+def _power_on(fmu: GyroFmu, device: Device, start: float, step: float) -> Gyro:
     # the rate of the case's temperature is not that of the soaked gyro: the design has its effect
     soaked = replace(device.without_noise(), thermal_lag=SOAKED_LAG, bias_per_temperature_rate=0.0)
-    return fmu.power_on(soaked.fmu_parameters(), 0, start)
+    parameters = soaked.fmu_parameters()
+    if not fmu.is_sampled:
+        quasi_steady = {n: v for n, v in parameters.items() if n not in LOOP_FREQUENCIES}
+        parameters = {**quasi_steady, "samplePeriod": step}
+    return fmu.power_on(parameters, 0, start)
 
 
 def _list_moving(
@@ -199,9 +219,12 @@ def _compare(
     device: Device, witnesses: Witnesses, course: Course, angle: Array, means: Array
 ) -> Replay:
     simulated = np.concatenate([[course.start], angle])
+    angle_errors = witnesses.angle[1:] - angle
+    frequency_errors = witnesses.frequency - means[:, 2]
     return Replay(
         residuals=witnesses.forces - means[:, :2],
-        angle_error=float(np.sqrt(np.mean((witnesses.angle[1:] - angle) ** 2))),
+        angle_errors=angle_errors,
+        frequency_errors=frequency_errors,
         motion=Motion(
             witnesses.interval,
             0.5 * (simulated[1:] + simulated[:-1]),
@@ -213,7 +236,7 @@ def _compare(
                 witnesses.specific_force,
             ),
         ),
-        following=_correct(course, device, witnesses, angle, means[:, 2]),
+        following=_correct(course, device, witnesses.interval, angle_errors, frequency_errors),
     )
 
 
@@ -229,13 +252,12 @@ def _compute_temperature_rate(course: Course, device: Device, interval: float) -
 
 
 def _correct(
-    course: Course, device: Device, witnesses: Witnesses, angle: Array, frequency: Array
+    course: Course, device: Device, interval: float, error: Array, frequency_error: Array
 ) -> Course:
-    error = witnesses.angle[1:] - angle
-    rate = course.rate - np.diff(error, prepend=error[0]) / witnesses.interval / device.bryan_factor
+    rate = course.rate - np.diff(error, prepend=error[0]) / interval / device.bryan_factor
     per_kelvin = device.frequency * device.frequency_per_kelvin
     if not per_kelvin:
         return Course(course.start + float(error[0]), rate, course.temperature)
-    width = max(1, round(SMOOTHING / witnesses.interval))
-    warmer = uniform_filter1d(witnesses.frequency - frequency, width, mode="nearest") / per_kelvin
+    width = max(1, round(SMOOTHING / interval))
+    warmer = uniform_filter1d(frequency_error, width, mode="nearest") / per_kelvin
     return Course(course.start + float(error[0]), rate, course.temperature + warmer)

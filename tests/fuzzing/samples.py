@@ -28,7 +28,7 @@ from tests.fmu_build.check.two_fmus import write as write_system
 from tests.fuzzing.mutations import ARCHIVE, BYTES, DOCUMENT, TABLE
 from tests.fuzzing.results import RESULTS
 from tests.fuzzing.sample import Sample
-from tests.ins_eval.imu import logs
+from tests.ins_eval.imu import logs, messages
 from tests.ins_eval.study import cases
 from tests.ins_eval.trajectories.test_recorded_drive import make_drive
 from tests.pyhrg.records.campaign_import import labs
@@ -94,6 +94,10 @@ def _write_psins(folder: Path) -> None:
     )
     text = "".join(" ".join(map(str, row)) + "\n" for row in counts.tolist())
     (folder / "log.txt").write_text(PSINS + text)
+
+
+def _write_messages(folder: Path, lines: list[str]) -> None:
+    (folder / "log.txt").write_text("\n".join(lines) + "\n")
 
 
 def _write_fmu(folder: Path) -> None:
@@ -197,6 +201,18 @@ SAMPLES = {
     ),
     "PSINS log": Sample(
         _write_psins, "log.txt", TABLE, lambda folder: read_static_record(folder / "log.txt", True)
+    ),
+    "NovAtel log": Sample(
+        lambda folder: _write_messages(folder, messages.write_rawimu(logs.resting(15.0))),
+        *("log.txt", TABLE),
+        lambda folder: read_static_record(folder / "log.txt", True),
+    ),
+    "VectorNav log": Sample(
+        lambda folder: _write_messages(
+            folder, messages.write_vectornav("VNDTV", logs.resting(15.0))
+        ),
+        *("log.txt", TABLE),
+        lambda folder: read_static_record(folder / "log.txt", True),
     ),
     "log that a mapping is drafted for": Sample(
         _write_imu, *("log.csv", TABLE), lambda folder: draft_mapping([folder / "log.csv"], folder)

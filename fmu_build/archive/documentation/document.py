@@ -113,10 +113,10 @@ def _run(run: Reference, listed: Sequence[Scalar]) -> str:
     """The angles among the outputs of the reference run."""
     angles = [s for s in listed if s.causality == "output" and s.attributes.get("unit") == "rad"]
     lines = {s.name: np.degrees(run.outputs[s.name]) for s in angles}
-    told = ", ".join(f"<code>{escape(s.name)}</code>" for s in angles)
+    names = ", ".join(f"<code>{escape(s.name)}</code>" for s in angles)
     driven = ", ".join(f"<code>{escape(name)}</code>" for name in run.driven)
     return (
-        f"<figure>\n{draw_lines(run.inputs['time'], lines, 'deg')}\n<figcaption>{told} in the "
+        f"<figure>\n{draw_lines(run.inputs['time'], lines, 'deg')}\n<figcaption>{names} in the "
         f"reference run of this archive ({driven} driven, all else at its default), computed by "
         "this FMU when it was built.</figcaption></figure>"
     )

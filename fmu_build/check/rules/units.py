@@ -19,12 +19,12 @@ def read_declared_unit(given: Mapping[str, str]) -> Dimension:
 
 def dimensions(fmu: Fmu) -> dict[str, Dimension]:
     """Declared units that have base units."""
-    found = {}
+    dimensions = {}
     for unit in fmu.description.findall("UnitDefinitions/Unit"):
         base = unit.find("BaseUnit")
         if base is not None:
-            found[unit.get("name", "")] = read_declared_unit(base.attrib)
-    return found
+            dimensions[unit.get("name", "")] = read_declared_unit(base.attrib)
+    return dimensions
 
 
 @rule("base units and their factors are those that a unit's name means")
@@ -68,8 +68,8 @@ def _display_unit(where: str, name: str, display: Mapping[str, str]) -> Findings
         )
 
 
-def _close(one: float, other: float) -> bool:
-    return math.isclose(one, other, rel_tol=TOLERANCE, abs_tol=1e-12)
+def _close(first: float, second: float) -> bool:
+    return math.isclose(first, second, rel_tol=TOLERANCE, abs_tol=1e-12)
 
 
 @rule("a derivative has the unit of its state over seconds")

@@ -106,14 +106,14 @@ def _read_component(archive: Archive, element: ET.Element) -> Component:
 
 
 def _read_connectors(element: ET.Element) -> dict[str, Connector]:
-    found = {}
+    connectors = {}
     for connector in element.findall("ssd:Connectors/ssd:Connector", SPACES):
         name = connector.get("name", "")
         typed = [e for e in connector if e.tag.startswith(f"{{{SPACES['ssc']}}}")]
         kind = _strip(typed[0].tag) if typed else None
         unit = typed[0].get("unit") if typed else None
-        found[name] = Connector(name, connector.get("kind", ""), kind, unit)
-    return found
+        connectors[name] = Connector(name, connector.get("kind", ""), kind, unit)
+    return connectors
 
 
 def list_values(parameters: ET.Element) -> Iterator[tuple[str, str, str]]:

@@ -46,8 +46,8 @@ class SystemRun(Run):
 
 def plan_run(system: System) -> SystemRun:
     """From the start of the default experiment, by the step that the archive names."""
-    found = system.structure.find("ssd:DefaultExperiment", SPACES)
-    given = {} if found is None else found.attrib
+    experiment = system.structure.find("ssd:DefaultExperiment", SPACES)
+    given = {} if experiment is None else experiment.attrib
     start = float(given.get("startTime", "0"))
     span = float(given.get("stopTime", start + 1)) - start
     named = [e.get("baseStepSize") for e in system.structure.iter() if "baseStepSize" in e.attrib]

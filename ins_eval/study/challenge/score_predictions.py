@@ -174,7 +174,7 @@ def _score_predictor(
     low, median, high = map(group.select, (predictor.low, predictor.median, predictor.high))
     interval_score = partial(measures.compute_interval_score, inside=inside)
     samples = [each / NAUTICAL_MILE for each in (flown, low, median, high)]
-    found = {
+    estimates = {
         "r2": bootstrap(measures.compute_r2, [flown, median], seed),
         "spearman": bootstrap(measures.compute_flight_spearman, [flown, median], seed),
         "coverage": estimate_coverage(flown, low, high, seed),
@@ -182,7 +182,7 @@ def _score_predictor(
     }
     row: dict[str, Any] = {columns.CLASS: group.mission_class, "predictor": predictor.title}
     row |= {"n": group.triads, "seed": seed}
-    for name, estimate in found.items():
+    for name, estimate in estimates.items():
         row |= {name: estimate.value, f"{name}_low": estimate.low, f"{name}_high": estimate.high}
     return row
 

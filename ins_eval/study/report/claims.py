@@ -130,17 +130,17 @@ class JudgedClaim:
     def verdict(self) -> str:
         """`HOLDS` where it holds in all classes, `IN_PART` where in some; where in none, `FAILS` if
         it fails in any, else `UNDECIDED`."""
-        found = [self.judge_class(name) for name in self.classes]
-        if HOLDS in found:
-            return HOLDS if set(found) == {HOLDS} else IN_PART
-        return FAILS if FAILS in found else UNDECIDED
+        verdicts = [self.judge_class(name) for name in self.classes]
+        if HOLDS in verdicts:
+            return HOLDS if set(verdicts) == {HOLDS} else IN_PART
+        return FAILS if FAILS in verdicts else UNDECIDED
 
     def judge_class(self, name: str) -> str:
         """The verdict in a class: `HOLDS` if all requirements do, `FAILS` if one fails."""
-        found = {score.verdict for score in self.by_class if score.mission_class == name}
-        if found == {HOLDS}:
+        verdicts = {score.verdict for score in self.by_class if score.mission_class == name}
+        if verdicts == {HOLDS}:
             return HOLDS
-        return FAILS if FAILS in found else UNDECIDED
+        return FAILS if FAILS in verdicts else UNDECIDED
 
     @property
     def n(self) -> int:
@@ -286,5 +286,5 @@ def _judge(claim: Claim, scores: Sequence[Score]) -> JudgedClaim:
 def _pick(scores: Sequence[Score], parts: Sequence[tuple[str, str, str]]) -> list[Score]:
     """Scores of these kinds, in the order of the kinds."""
     kinds = [(score, predictor) for score, predictor, _ in parts]
-    found = [s for s in scores if (s.score, s.predictor) in kinds]
-    return sorted(found, key=lambda s: kinds.index((s.score, s.predictor)))
+    picked = [s for s in scores if (s.score, s.predictor) in kinds]
+    return sorted(picked, key=lambda s: kinds.index((s.score, s.predictor)))

@@ -136,16 +136,16 @@ class LeadCase:
 
 def read_lead_case(about: Mapping[str, Any]) -> LeadCase | None:
     """The lead case of a study's facts; None where the study has none."""
-    found = about.get(LEAD_KEY)
-    if not found:
+    case = about.get(LEAD_KEY)
+    if not case:
         return None
     return LeadCase(
-        device=found["device"],
-        mission=found["mission"],
-        fixed_stability=found["fixed_stability_deg_h"],
-        circumference_stability=found["circumference_stability_deg_h"],
-        time=np.array(found["time_s"]),
-        flown=np.array(found["flown_m"]),
+        device=case["device"],
+        mission=case["mission"],
+        fixed_stability=case["fixed_stability_deg_h"],
+        circumference_stability=case["circumference_stability_deg_h"],
+        time=np.array(case["time_s"]),
+        flown=np.array(case["flown_m"]),
     )
 
 

@@ -56,8 +56,8 @@ def _choose_figures(data: StudyData) -> dict[str, str]:
     the study's triads."""
     case = read_lead_case(data.about)
     medians = (float(data.table[test.figure].median()) for test in TESTS)
-    found = medians if case is None else (case.fixed_stability, case.circumference_stability)
-    return {test.key: f"{value:.2g}" for test, value in zip(TESTS, found, strict=True)}
+    stabilities = medians if case is None else (case.fixed_stability, case.circumference_stability)
+    return {test.key: f"{value:.2g}" for test, value in zip(TESTS, stabilities, strict=True)}
 
 
 def _embed_constants(data: StudyData) -> str:

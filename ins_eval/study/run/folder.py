@@ -97,14 +97,14 @@ def _check(path: Path, identity: Identity) -> None:
             raise HrgError(f"{path}: found {others[0]}, expected an empty folder or a study's")
         write_whole(file, identity.text.encode())
         return
-    found = read_json(file)
-    if differs := find_difference(found.get("study"), identity.study):
+    made = read_json(file)
+    if differs := find_difference(made.get("study"), identity.study):
         key, here, asked = differs
         raise HrgError(
             f"{file}: another study: {key}: found {here!r}, expected {asked!r}; "
             "choose another folder"
         )
-    if differs := find_difference(found.get("made_by"), identity.made_by):
+    if differs := find_difference(made.get("made_by"), identity.made_by):
         key, here, asked = differs
         raise HrgError(
             f"{file}: a study of another version: {key}: found {here}, expected {asked}; "

@@ -132,7 +132,7 @@ def score_flights(table: pd.DataFrame, seed: int, inside: float = 0.9) -> list[S
         _score_flight_ranking,
     )
     scorers = [_Scorer(group, seed, inside) for group in group_flights(table)]
-    return [found for scorer in scorers for part in parts for found in part(scorer)]
+    return [score for scorer in scorers for part in parts for score in part(scorer)]
 
 
 def _score_r2(scorer: _Scorer) -> Iterator[Score]:

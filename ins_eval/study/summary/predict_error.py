@@ -105,10 +105,10 @@ def predict_error(
         HrgError: no figure is given, or one is out of range; the folder holds no study, or one
             without this mission or calibration.
     """
-    found = {FIXED.key: fixed_deg_h, CIRCUMFERENCE.key: circumference_deg_h}
-    given = {name: value for name, value in found.items() if value is not None}
+    figures = {FIXED.key: fixed_deg_h, CIRCUMFERENCE.key: circumference_deg_h}
+    given = {name: value for name, value in figures.items() if value is not None}
     if not given:
-        raise HrgError(f"found no bench figure, expected {' or '.join(found)}")
+        raise HrgError(f"found no bench figure, expected {' or '.join(figures)}")
     for name, value in given.items():
         check_number(name, value, SMALLEST_STABILITY, LARGEST_STABILITY)
     return predict_from_study(read_study_data(Path(study)), mission, given, calibration)

@@ -155,11 +155,11 @@ def state_verdict(data: StudyData) -> str:
             lines.append(f"{name_calibration(calibration).capitalize()}:")
         lines += [describe_claim(each) for each in judge_claims(data, calibration)]
         for key, flights in ((AGREEMENT, "at 1 kHz"), (STEADY_AGREEMENT, "with steady loops")):
-            found = data.select(key, calibration=calibration)
+            scores = data.select(key, calibration=calibration)
             lines += [
                 f"Without noise the linear model differs from the co-simulation {flights} by "
                 f"{_format_difference(s)}."
-                for s in found
+                for s in scores
             ]
     conditions = describe_conditions(data)
     if conditions:

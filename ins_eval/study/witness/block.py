@@ -11,6 +11,7 @@ from ins_eval.study.witness.believed import BelievedGyro, believe_gyro
 from ins_eval.study.witness.flight import fly_with_channels
 from ins_eval.study.witness.self_test import SELF_TEST
 from ins_eval.study.witness.witnessed import WitnessedFlight, witness_flights
+from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.common.arrays import Array
 from pyhrg.fmu import GyroFmu
 
@@ -22,7 +23,7 @@ of `pyhrg.fmu.WIDE`, and five flights of two hours are a GB."""
 SHAPES = {
     **dict.fromkeys(("flown", "by_bench", "by_channels", "by_self_test", "told", "known"), (2,)),
     **dict.fromkeys(("told_covariance", "known_covariance"), (2, 2)),
-    **dict.fromkeys(("squares", "degrees", "p_values"), (3,)),
+    **dict.fromkeys(("squares", "degrees", "p_values", "followed"), (3,)),
 }
 """Shapes of the fields of `WitnessedFlight`."""
 BENCH_ERROR = (0, 0, 0)
@@ -45,22 +46,25 @@ def witness_triads(
     mission: int,
     triads: Mapping[int, tuple[DrawnTriad, Sequence[BelievedGyro]]],
     numbers: Sequence[int],
+    disturbances: Mapping[int, Sequence[Disturbance]] | None = None,
 ) -> dict[str, Array]:
     """(r, TESTS, ...) fields of `WitnessedFlight` in a mission, NaN for triads that are not
     witnessed.
 
     fmus: `HRG` and `HRGSlow`; weights: at the mission's end alone; mission: its number in the
     study, with which a triad's seed decides the noise; triads: those that are witnessed, by number;
-    numbers: (r,) of the whole block.
+    numbers: (r,) of the whole block; disturbances: effects outside the model, of each gyro of the
+    triads, by number.
     """
     flown = list(triads.items())
     flights: dict[int, list[WitnessedFlight]] = {number: [] for number in triads}
     for first in range(0, len(flown), TOGETHER):
         part = flown[first : first + TOGETHER]
         drawn, believed = [each for _, (each, _) in part], [each for _, (_, each) in part]
+        effects = [disturbances[number] for number, _ in part] if disturbances else []
         noise = [seed_noise(each, mission) for each in drawn]
         for test in TESTS:
-            recorded = fly_with_channels(fmus[0], truth, drawn, noise, test)
+            recorded = fly_with_channels(fmus[0], truth, drawn, noise, test, effects)
             found = witness_flights(fmus, weights, drawn, believed, recorded)
             for (number, _), each in zip(part, found, strict=True):
                 flights[number].append(each)

@@ -1,6 +1,6 @@
 """Flights of triads at 1 kHz with the channels that their gyros record of themselves."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
 
@@ -15,8 +15,10 @@ from ins_eval.study.cosimulated import (
     tilt_input_axes,
 )
 from ins_eval.study.gyros.drawn_triad import AXES, DrawnTriad
+from ins_eval.study.witness.disturbed import disturb_gyro
 from ins_eval.study.witness.self_test import SETTLING as AFTER_TEST
 from ins_eval.study.witness.self_test import rotate_virtually
+from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.common.arrays import Array
 from pyhrg.fmu import CONTROL_PERIOD, Gyro, GyroFmu, record_together
 from pyhrg.records.imu.log import Increments
@@ -62,27 +64,41 @@ def fly_with_channels(
     triads: Sequence[DrawnTriad],
     noise: Sequence[np.random.SeedSequence],
     self_test: float = 0.0,
+    disturbances: Sequence[Sequence[Disturbance]] = (),
 ) -> list[ChannelFlight]:
-    """Co-simulated flights with all noise, a seed of each triad; arguments as `cosimulate`."""
+    """Co-simulated flights with all noise, a seed of each triad; arguments as `cosimulate`.
+
+    disturbances: effects outside the model, of each triad's gyros; none by default.
+    """
     true = truth.increments
     count = len(true) - len(true) % round(ROW / true.interval)
     rotation = rotate_virtually(true.bounds[:-1] + STILL, self_test)
     seeds = [make_noise_seeds(each) for each in noise]
+    disturbed = [
+        disturb_gyro(each, truth, triad, axis, rotation)
+        for triad, effects in zip(triads if disturbances else (), disturbances, strict=True)
+        for axis, each in enumerate(effects)
+    ]
+    models = [each.disturbance.model for each in disturbed] or [{}] * (AXES * len(triads))
+    added = [each.list_inputs() for each in disturbed]
     ends, means = [], []
     with ExitStack() as stack:
+        flown = [f for triad in triads for f in triad.flights]
+        numbers = [seed for gyros, _ in seeds for seed in gyros]
         on = [
             stack.enter_context(
-                fmu.power_on(f.device.fmu_parameters(), seed=seed, start_angle=f.power_on_angle)
+                fmu.power_on({**f.device.fmu_parameters(), **model}, seed, f.power_on_angle)
             )
-            for triad, (gyros, _) in zip(triads, seeds, strict=True)
-            for f, seed in zip(triad.flights, gyros, strict=True)
+            for f, model, seed in zip(flown, models, numbers, strict=True)
         ]
         for first in range(0, len(true), PIECE):
             piece = slice(first, min(first + PIECE, len(true)))
-            recorded = _record_piece(on, truth, triads, rotation, piece)
+            recorded = _record_piece(on, truth, triads, rotation, piece, added)
             ends.append(np.stack([each for each, _ in recorded], axis=1))
             means.append(np.stack([each for _, each in recorded], axis=1))
     read, averaged = np.concatenate(ends), np.concatenate(means)
+    for place, each in enumerate(disturbed):
+        each.change_records(read[:, place], averaged[:, place])
     flights = []
     for place, (triad, (_, accelerometers)) in enumerate(zip(triads, seeds, strict=True)):
         gyros = slice(AXES * place, AXES * (place + 1))
@@ -103,6 +119,7 @@ def _record_piece(
     triads: Sequence[DrawnTriad],
     rotation: Array,
     piece: slice,
+    added: Sequence[Mapping[str, Array]],
 ) -> list[tuple[Array, Array]]:
     """Readings at the end, and means over every control period, of each increment of a piece."""
     interval = truth.increments.interval
@@ -121,6 +138,10 @@ def _record_piece(
                     "virtualRotation": rotation[piece],
                 }
             )
+    for place, each in enumerate(added):
+        inputs = {name: values[piece] for name, values in each.items()}
+        moving[place]["angularRate"] += inputs.pop("angularRate")[:, None]
+        held[place] |= inputs
     outputs = ["gyroAngle", "patternAngle"], [*FORCES, "frequencyOffset"]
     return record_together(on, moving, held, interval / ticks, *outputs)
 

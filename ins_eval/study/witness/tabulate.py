@@ -67,7 +67,7 @@ def tabulate_witnesses(
             columns |= {
                 f"{key}_{name}_m": prediction.radius(share)[:, 0] for name, share in ends.items()
             }
-        columns |= {name: here[name].sum(axis=1) for name in ("squares", "degrees")}
+        columns |= {name: here[name].sum(axis=1) for name in ("squares", "degrees", "followed")}
         missed = here["told"] - true.expected[:, 0]
         columns["position_square"] = np.einsum(
             "ri,rij,rj->r", missed, np.linalg.inv(here["told_covariance"]), missed

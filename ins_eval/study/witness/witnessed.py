@@ -46,6 +46,7 @@ class WitnessedFlight:
         squares, degrees: (3,) normalised squares of the told changes' errors, and degrees of
             freedom.
         p_values: (3,) as of `Filtered`.
+        followed: (3,) whether each gyro's log is followed, 1 or 0.
     """
 
     flown: Array
@@ -59,6 +60,7 @@ class WitnessedFlight:
     squares: Array
     degrees: Array
     p_values: Array
+    followed: Array
 
 
 def read_true_changes(device: Device, flight: Flight) -> Array:
@@ -130,6 +132,7 @@ def _judge(
         squares=np.array([square for square, _ in scored]),
         degrees=np.array([float(degrees) for _, degrees in scored]),
         p_values=np.array([fit.p_value for fit in fits]),
+        followed=np.array([float(fit.is_explained) for fit in fits]),
     )
 
 

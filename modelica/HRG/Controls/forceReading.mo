@@ -1,20 +1,20 @@
 within HRG.Controls;
-function forceReading "Sensitivity of a force to eight states, and what the force is beyond the expected one"
-  input Real expected[22] "Coefficients of the terms in the expected force";
-  input Real sensitivity[128] "Change of the first 16 per state, all states of a term side by side";
-  input Real term[22] "Terms";
+function forceReading "Sensitivity of a force to nine states, and what the force is beyond the expected one"
+  input Real expected[23] "Coefficients of the terms in the expected force";
+  input Real sensitivity[153] "Change of the first 17 per state, all states of a term side by side";
+  input Real term[23] "Terms";
   input Units.DampingCoefficient force "Measured force";
   input Real used "1; 0 if the force is not to be read";
-  output Real result[9] "{sensitivities to the eight states, excess of the force}";
+  output Real result[10] "{sensitivities to the nine states, excess of the force}";
 algorithm
-  result[9] := used*force;
-  for t in 1:22 loop
-    result[9] := result[9] - used*expected[t]*term[t];
+  result[10] := used*force;
+  for t in 1:23 loop
+    result[10] := result[10] - used*expected[t]*term[t];
   end for;
-  for s in 1:8 loop
+  for s in 1:9 loop
     result[s] := 0;
-    for t in 1:16 loop
-      result[s] := result[s] + used*sensitivity[8*t - 8 + s]*term[t];
+    for t in 1:17 loop
+      result[s] := result[s] + used*sensitivity[9*t - 9 + s]*term[t];
     end for;
   end for;
   annotation (Documentation(info="<html>

@@ -56,10 +56,10 @@ def record(
 ) -> list[Test]:
     """The gyro as it is, with its maps, and with wrong ones: positions and turns both ways."""
     before = bench.run(plan_power_ons(bench, plan, runs, segments))
-    found = fit_maps(bench.campaign(before))
+    calibration = fit_maps(bench.campaign(before))
     tests = list(before)
     for stage, angle in ((AFTER, 0.0), (CONTROL, AWAY)):
-        device = apply_maps(bench.device, found, angle)
+        device = apply_maps(bench.device, calibration, angle)
         after = stage_bench(bench, device, stage)
         tests += label_stage(after.run(plan_power_ons(after, plan, runs, segments)), stage)
     return tests
@@ -78,10 +78,13 @@ def calibrate_once(bench: Bench, plan: Plan | None = None) -> Calibration:
     return fit_maps(bench.campaign([bench.log(task) for task in power_ons]))
 
 
-def apply_maps(device: Device, found: Calibration, angle: float = 0.0) -> Device:
+def apply_maps(device: Device, calibration: Calibration, angle: float = 0.0) -> Device:
     """The gyro with the maps found in its electronics, turned by an angle of pattern, rad."""
-    maps = [turn_map(make_angle_map(m), angle) for m in (found.bias_map, found.scale_factor_map)]
-    return add_maps(device, maps[0], maps[1], found.scale_factor)
+    maps = [
+        turn_map(make_angle_map(m), angle)
+        for m in (calibration.bias_map, calibration.scale_factor_map)
+    ]
+    return add_maps(device, maps[0], maps[1], calibration.scale_factor)
 
 
 def export_device(campaign: Campaign, device: Device) -> Device:
@@ -91,22 +94,22 @@ def export_device(campaign: Campaign, device: Device) -> Device:
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Maps with intervals; stability over the circumference before and after."""
-    found = fit_maps(campaign)
+    calibration = fit_maps(campaign)
     stages = [(name, select_stage(campaign, stage)) for stage, name in STAGES.items()]
     measured = {"before": campaign, **{name: tests for name, tests in stages if tests}}
     results = {
-        name: (found if tests is campaign else fit_maps(tests), read_runs(tests))
+        name: (calibration if tests is campaign else fit_maps(tests), read_runs(tests))
         for name, tests in measured.items()
     }
     missing = "no test with the maps applied: what they leave was not measured"
     findings = [find_residual_variation(name, *result) for name, result in results.items()]
     return Outcome(
         findings=(
-            *found.findings,
+            *calibration.findings,
             *(finding for group in findings for finding in group),
         ),
         verdict=_verdict({f.name: f for group in findings for f in group}),
-        warnings=found.refused if "after" in results else (*found.refused, missing),
+        warnings=calibration.refused if "after" in results else (*calibration.refused, missing),
         exclusions=tuple(
             text
             for tests in measured.values()
@@ -114,15 +117,15 @@ def evaluate(campaign: Campaign) -> Outcome:
         ),
         draw=lambda figure: draw(figure, results),
         values={
-            "bias_map": asdict(make_angle_map(found.bias_map)),
-            "scale_factor_map": asdict(make_angle_map(found.scale_factor_map)),
-            "scale_factor": found.scale_factor,
+            "bias_map": asdict(make_angle_map(calibration.bias_map)),
+            "scale_factor_map": asdict(make_angle_map(calibration.scale_factor_map)),
+            "scale_factor": calibration.scale_factor,
         },
     )
 
 
 def find_residual_variation(
-    stage: str, found: Calibration, runs: Sequence[Points]
+    stage: str, calibration: Calibration, runs: Sequence[Points]
 ) -> tuple[Finding, ...]:
     """What varies over the circumference."""
     deviations = BiasTest(runs).deviations
@@ -130,18 +133,18 @@ def find_residual_variation(
     return (
         estimate_mean(f"bias stability {stage}", deviations, "deg/h", note),
         estimate_within(f"within positions {stage}", runs),
-        replace(found.rates.variation(), name=f"scale factor variation {stage}"),
+        replace(calibration.rates.variation(), name=f"scale factor variation {stage}"),
     )
 
 
-def _verdict(found: dict[str, Finding]) -> str:
-    before, variation = found["bias stability before"], found["scale factor variation before"]
+def _verdict(findings: dict[str, Finding]) -> str:
+    before, variation = findings["bias stability before"], findings["scale factor variation before"]
     text = f"Bias stability {before.value:.2g} deg/h, scale factor variation "
     text += f"{variation.value:.2g}"
-    if "bias stability after" not in found:
+    if "bias stability after" not in findings:
         return f"{text} ppm over the circumference; maps are fitted, not verified."
-    after, noise = found["bias stability after"], found["within positions after"]
-    variation_after = found["scale factor variation after"]
+    after, noise = findings["bias stability after"], findings["within positions after"]
+    variation_after = findings["scale factor variation after"]
     return (
         f"{text} ppm over the circumference as it is; with its maps {after.value:.2g} "
         f"deg/h (noise alone {noise.value:.2g}) and {variation_after.value:.2g} "
@@ -155,11 +158,13 @@ def draw(figure: Figure, stages: Mapping[str, tuple[Calibration, Sequence[Points
     grid = np.linspace(0.0, np.pi, 361)
     for name, colour in (("before", COLOURS[1]), ("after", COLOURS[0])):
         if name in stages:
-            found, runs = stages[name]
+            calibration, runs = stages[name]
             angle = np.concatenate([run.pattern_angle for run in runs]) % np.pi / DEG
-            rate = np.concatenate([found.positions.remove_tilt(run) for run in runs]) / DEG_PER_H
+            rate = (
+                np.concatenate([calibration.positions.remove_tilt(run) for run in runs]) / DEG_PER_H
+            )
             bias.plot(angle, rate, ".", ms=3, color=colour, label=name)
-            scale.plot(grid / DEG, found.rates.evaluate(grid) / PPM, color=colour, label=name)
+            scale.plot(grid / DEG, calibration.rates.evaluate(grid) / PPM, color=colour, label=name)
     bias.set_title("Position test, tilt removed")
     scale.set_title("Turns both ways")
     for axes, label in ((bias, "bias, deg/h"), (scale, "scale factor less its mean, ppm")):
@@ -183,8 +188,8 @@ def select_stage(campaign: Campaign, stage: str) -> Campaign | None:
     """The tests of a stage alone, under their plain kinds; None where there are none."""
     suffix = f"_{stage}"
     staged = (test for test in campaign.tests if test.kind.endswith(suffix))
-    found = [replace(test, kind=test.kind.removesuffix(suffix)) for test in staged]
-    return replace(campaign, tests=tuple(found)) if found else None
+    tests = [replace(test, kind=test.kind.removesuffix(suffix)) for test in staged]
+    return replace(campaign, tests=tuple(tests)) if tests else None
 
 
 def stage_bench(bench: Bench, device: Device, stage: str) -> Bench:

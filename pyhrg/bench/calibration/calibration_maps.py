@@ -79,9 +79,9 @@ def fit_maps(campaign: Campaign) -> Calibration:
     )
 
 
-def make_angle_map(found: Mapping[str, Finding]) -> AngleMap:
+def make_angle_map(findings: Mapping[str, Finding]) -> AngleMap:
     """Coefficients, SI; zero where nothing was found."""
-    return AngleMap(**{name: finding.si_value for name, finding in found.items()})
+    return AngleMap(**{name: finding.si_value for name, finding in findings.items()})
 
 
 def turn_map(coefficients: AngleMap, angle: float) -> AngleMap:
@@ -113,8 +113,10 @@ def add_maps(
     )
 
 
-def _sum(one: AngleMap, other: AngleMap) -> AngleMap:
-    return AngleMap(**{f.name: getattr(one, f.name) + getattr(other, f.name) for f in fields(one)})
+def _sum(first: AngleMap, second: AngleMap) -> AngleMap:
+    return AngleMap(
+        **{f.name: getattr(first, f.name) + getattr(second, f.name) for f in fields(first)}
+    )
 
 
 def _bias(
@@ -137,10 +139,10 @@ def _bias(
 
 
 def _angle_errors(rates: ScaleFactorMap) -> list[tuple[str, Finding]]:
-    found = []
+    findings = []
     for order in sorted(rates.orders):
         cosine, sine = name_terms(order)
         for name, source, factor in ((cosine, sine, -1 / order), (sine, cosine, 1 / order)):
             label = f"scale factor map {name}"
-            found.append((name, rates.fit.finding(f"{SCALE} {source}", label, "arcsec", factor)))
-    return found
+            findings.append((name, rates.fit.finding(f"{SCALE} {source}", label, "arcsec", factor)))
+    return findings

@@ -104,13 +104,13 @@ def cancel(device: Device, fitted: Fit) -> Device:
 
 def read_runs(campaign: Campaign, kind: str) -> tuple[list[Run], list[str]]:
     """Free runs of a kind, and a sentence on each that is left out."""
-    found, excluded = [], []
+    runs, excluded = [], []
     for test in select_tests(campaign, kind):
         try:
-            found.append(read_run(test.log, campaign.site, read_bryan_factor(campaign)))
+            runs.append(read_run(test.log, campaign.site, read_bryan_factor(campaign)))
         except BenchError as error:
             excluded.append(str(error))
-    return found, excluded
+    return runs, excluded
 
 
 def evaluate(campaign: Campaign) -> Outcome:

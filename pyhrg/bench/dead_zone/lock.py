@@ -164,7 +164,7 @@ def _stretches(log: Log, site: Site) -> list[Array]:
     stretches = []
     for plateau in find_plateaus(log, 3 * log.interval):
         turned = max(abs(plateau.mean_rate(log, log.wave_angle)), 1e-12)
-        found = []
+        segments = []
         rows = max(1, round(min(SEGMENT, ARC / turned) / log.interval))
         for begin in range(plateau.first, plateau.last - rows + 1, rows):
             span = float(log.time[begin + rows] - log.time[begin])
@@ -174,9 +174,9 @@ def _stretches(log: Log, site: Site) -> list[Array]:
             earth = site.vertical_rate * axis_up
             angle = log.wave_angle[begin : begin + rows + 1]
             means = (_mean(trig, order * angle) for order in (2, 4, 8) for trig in (np.cos, np.sin))
-            found.append((float(output - rate - earth), float(rate), span, *means))
-        if found:
-            stretches.append(np.array(found))
+            segments.append((float(output - rate - earth), float(rate), span, *means))
+        if segments:
+            stretches.append(np.array(segments))
     return stretches
 
 

@@ -44,9 +44,9 @@ def record(
 def find_stretches(campaign: Campaign) -> list[Rows]:
     logs = [test.log for test in require_tests(campaign, KIND)]
     stretches = output_rows.require_steady_rows(logs, "frequency_offset")
-    found = {float(rows.values("amplitude_setpoint")[0]) for rows in stretches}
-    if len(found) < 2:
-        raise BenchError(f"{logs[0].source}: {len(found)} amplitude; the test needs 2")
+    amplitudes = {float(rows.values("amplitude_setpoint")[0]) for rows in stretches}
+    if len(amplitudes) < 2:
+        raise BenchError(f"{logs[0].source}: {len(amplitudes)} amplitude; the test needs 2")
     return stretches
 
 

@@ -127,22 +127,24 @@ class Gyro:
         )
 
 
-def fit_decays(found: Sequence[Decay], gyro: Gyro, start: Array) -> Fit:
+def fit_decays(decays: Sequence[Decay], gyro: Gyro, start: Array) -> Fit:
     """Terms `TERMS` that all ring-downs have in common, by Gauss and Newton.
 
     `start` has (5,) terms to begin with.
     """
-    terms = _nearby(found, gyro, start)
+    terms = _nearby(decays, gyro, start)
     for _ in range(ROUNDS):
         try:
-            step = fit_rows([part for decay in found for part in _parts(decay, gyro, terms)], TERMS)
+            step = fit_rows(
+                [part for decay in decays for part in _parts(decay, gyro, terms)], TERMS
+            )
         except ValueError as error:
-            raise BenchError(f"{found[0].source}: ring-down: {error}") from error
+            raise BenchError(f"{decays[0].source}: ring-down: {error}") from error
         terms = terms + step.values
         if _is_settled(step):
             return replace(step, values=terms)
     raise BenchError(
-        f"{found[0].source}: the fit of the ring-down did not settle in {ROUNDS} steps"
+        f"{decays[0].source}: the fit of the ring-down did not settle in {ROUNDS} steps"
     )
 
 
@@ -154,13 +156,13 @@ def _is_settled(step: Fit) -> bool:
     return float(values @ np.linalg.pinv(correlation) @ values) < CONVERGENCE_SHARE**2
 
 
-def _nearby(found: Sequence[Decay], gyro: Gyro, start: Array) -> Array:
+def _nearby(decays: Sequence[Decay], gyro: Gyro, start: Array) -> Array:
     """Terms near the solution, all readings alike. The quadrature force before the ring-down shows
     but one part of the split; the other part is tried both ways."""
 
     def left(terms: Array) -> Array:
-        orbits = [gyro.orbit(decay, terms) for decay in found]
-        pairs = zip(orbits, found, strict=True)
+        orbits = [gyro.orbit(decay, terms) for decay in decays]
+        pairs = zip(orbits, decays, strict=True)
         parts = ((o[0] - d.angle, o[1] - np.log(d.amplitude)) for o, d in pairs)
         return np.concatenate([part for both in parts for part in both])
 

@@ -73,20 +73,20 @@ def fit_ring_downs(campaign: Campaign) -> tuple[Fit, list[Decay], Gyro]:
     """
     logs = [test.log for test in require_tests(campaign, KIND)]
     k, site = read_bryan_factor(campaign), campaign.site
-    found = [decay for log in logs for decay in free_decay.find_decays(log, site, k)]
-    if not found:
+    decays = [decay for log in logs for decay in free_decay.find_decays(log, site, k)]
+    if not decays:
         raise BenchError(
             f"{', '.join(log.source for log in logs)}: the drive is nowhere off for more than "
             f"{SHORTEST_ROWS} rows after rows with the drive on"
         )
     guess = _split_guess(campaign)
-    gyro, used = Gyro(k, _pickoff(campaign)), _cut_decays(found, guess)
+    gyro, used = Gyro(k, _pickoff(campaign)), _cut_decays(decays, guess)
     first = used[0]
     rate = float(np.log(first.amplitude[0] / first.amplitude[-1]) / np.ptp(first.time))
     fit = free_decay.fit_decays(used, gyro, np.array([rate, 0.0, 0.0, guess.real, guess.imag]))
     split = free_decay.describe_shell(fit.values).split
     if abs(split) > GUESS_TOLERANCE * abs(guess):
-        used = _cut_decays(found, split)
+        used = _cut_decays(decays, split)
         fit = free_decay.fit_decays(used, gyro, fit.values)
         split = free_decay.describe_shell(fit.values).split
     if (split.conjugate() * guess).real < 0:
@@ -94,10 +94,10 @@ def fit_ring_downs(campaign: Campaign) -> tuple[Fit, list[Decay], Gyro]:
     return fit, used, gyro
 
 
-def _cut_decays(found: Sequence[Decay], split: complex) -> list[Decay]:
+def _cut_decays(decays: Sequence[Decay], split: complex) -> list[Decay]:
     """Ring-downs up to `LARGEST_SPLIT_ANGLE` of a split, rad/s."""
     duration = LARGEST_SPLIT_ANGLE / max(abs(split), 1e-12)
-    used = [decay.cut(duration) for decay in found]
+    used = [decay.cut(duration) for decay in decays]
     if short := [decay for decay in used if len(decay.time) < SHORTEST_ROWS]:
         raise BenchError(
             f"{short[0].source}: a frequency split of {abs(split) / (2e-3 * np.pi):.3g} mHz allows "
@@ -133,8 +133,8 @@ def _split_guess(campaign: Campaign) -> complex:
         angle = 4 * log.wave_angle[on]
         columns.append(np.column_stack([np.sin(angle), -np.cos(angle)]) / 2)
         values.append(log.quadrature_force[on] / log.amplitude_setpoint[on])
-    found = np.linalg.lstsq(np.vstack(columns), np.concatenate(values), rcond=1e-3)[0]
-    return complex(*found)
+    parts = np.linalg.lstsq(np.vstack(columns), np.concatenate(values), rcond=1e-3)[0]
+    return complex(*parts)
 
 
 def evaluate(campaign: Campaign) -> Outcome:
@@ -175,9 +175,9 @@ def _list_exclusions(used: Sequence[Decay]) -> Iterator[str]:
         )
 
 
-def _list_warnings(found: Sequence[Decay], gyro: Gyro) -> Iterator[str]:
+def _list_warnings(decays: Sequence[Decay], gyro: Gyro) -> Iterator[str]:
     # the resultant of the fourth harmonic of the angles that the pattern saw
-    if abs(np.mean(np.concatenate([np.exp(4j * decay.angle) for decay in found]))) >= 0.75:
+    if abs(np.mean(np.concatenate([np.exp(4j * decay.angle) for decay in decays]))) >= 0.75:
         yield (
             "all ring-downs lie near one pattern angle: what of the damping anisotropy changes the "
             "decay alone is seen only as far as the pattern moved, or not at all"
@@ -193,12 +193,12 @@ STYLES = (("-", "."), ("--", "x"), (":", "+"))
 """Line and mark of the ring-downs, anew where colours repeat."""
 
 
-def draw(figure: Figure, found: Sequence[Decay], fit: Fit, gyro: Gyro) -> None:
+def draw(figure: Figure, decays: Sequence[Decay], fit: Fit, gyro: Gyro) -> None:
     """Above: how the damping anisotropy turns the pattern; below: what the fit leaves."""
     above, below = figure.subplots(2, 1, sharex=True)
     isotropic = fit.values.copy()
     isotropic[1:3] = 0.0
-    for number, decay in enumerate(found):
+    for number, decay in enumerate(decays):
         colour = COLOURS[number % len(COLOURS)]
         style, mark = STYLES[number // len(COLOURS) % len(STYLES)]
         with_damping, without = (gyro.orbit(decay, values)[0] for values in (fit.values, isotropic))

@@ -70,15 +70,15 @@ def evaluate(campaign: Campaign) -> Outcome:
     )
 
 
-def _findings(found: Noise | None, state: str) -> list[Finding]:
-    if found is None:
+def _findings(noise: Noise | None, state: str) -> list[Finding]:
+    if noise is None:
         note = "the campaign has no such test"
         return [Finding(name + state, np.nan, unit, note=note) for name, unit in TERMS.values()]
     findings = []
     for key, (name, unit) in TERMS.items():
-        level: Coefficient = getattr(found.coefficients, key)
+        level: Coefficient = getattr(noise.coefficients, key)
         note = "" if level.present else "compatible with zero: an upper bound"
-        values = (level.value, unit, level.low, level.high, found.n)
+        values = (level.value, unit, level.low, level.high, noise.n)
         findings.append(Finding(name + state, *values, note))
     return findings
 
@@ -103,8 +103,8 @@ def _ratio(off: Noise | None, on: Noise | None) -> Finding:
     return Finding(RATIO, value, "1", value * math.exp(-below), value * math.exp(above), n)
 
 
-def _warnings(found: Noise) -> list[str]:
-    longest = found.longest
+def _warnings(noise: Noise) -> list[str]:
+    longest = noise.longest
     span = longest.n * longest.interval
     state = "with" if longest.rotation else "without"
     warnings = [

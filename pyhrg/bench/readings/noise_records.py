@@ -150,8 +150,8 @@ def fit_noise_of_tests(campaign: Campaign, kind: str, turning: bool) -> Noise | 
     if not tests:
         return None
     gain = campaign.nominal.get("coriolis_factor")
-    found = (record for test in tests for record in find_noise_records(test.log, gain))
-    wanted = [record for record in found if (record.rotation != 0) == turning]
+    candidates = (record for test in tests for record in find_noise_records(test.log, gain))
+    wanted = [record for record in candidates if (record.rotation != 0) == turning]
     if not wanted:
         state = "with" if turning else "without"
         raise BenchError(

@@ -152,19 +152,21 @@ def pair_cycles(logs: Sequence[Sequence[Sweep]]) -> list[list[Cycle]]:
     return runs
 
 
-def _pairs(found: Sequence[Sweep]) -> list[Cycle]:
+def _pairs(sweeps: Sequence[Sweep]) -> list[Cycle]:
     cycles = []
-    rest = list(found)
+    rest = list(sweeps)
     while len(rest) > 1:
-        one, other = rest[:2]
-        if one.virtual_rotation != -other.virtual_rotation:
+        forward, backward = rest[:2]
+        if forward.virtual_rotation != -backward.virtual_rotation:
             rest = rest[1:]
             continue
         rest = rest[2:]
-        (first, period), (second, back) = (x.average_period() or (0.0, 0.0) for x in (one, other))
-        gain = (second - first) / (2 * one.virtual_rotation)
-        length = (one.time[-1] - one.time[0]) + (other.time[-1] - other.time[0])
-        start, mean = float(one.pattern_angle[0]), (first + second) / 2
+        (first, period), (second, back) = (
+            x.average_period() or (0.0, 0.0) for x in (forward, backward)
+        )
+        gain = (second - first) / (2 * forward.virtual_rotation)
+        length = (forward.time[-1] - forward.time[0]) + (backward.time[-1] - backward.time[0])
+        start, mean = float(forward.pattern_angle[0]), (first + second) / 2
         cycles.append(Cycle(mean, length, start, gain, min(period, back)))
     return cycles
 

@@ -90,9 +90,9 @@ HELD = "with the hold of the forces, -Ts/2 tau, and -(W_L/V)^2/2 of a large map"
 def evaluate(campaign: Campaign) -> Outcome:
     """Bias, stability, repeatability, scale factor and random walk, on and off."""
     tests = require_tests(campaign, *KINDS)
-    found = [find_sweeps(test.log, campaign.site) for test in tests]
-    rotating = [[s for s in log if s.virtual_rotation != 0.0] for log in found]
-    resting = [[s for s in log if s.virtual_rotation == 0.0 == s.table_rate] for log in found]
+    sweeps = [find_sweeps(test.log, campaign.site) for test in tests]
+    rotating = [[s for s in log if s.virtual_rotation != 0.0] for log in sweeps]
+    resting = [[s for s in log if s.virtual_rotation == 0.0 == s.table_rate] for log in sweeps]
     on = cycles.pair_cycles(rotating)
     off = cycles.cut_rests([log for log in resting if log], find_averaging_time(on))
     turning, rotation = _rotating_fit([s for log in rotating for s in log])
@@ -141,26 +141,26 @@ def _scatter(name: str, runs: list[list[Cycle]]) -> tuple[Finding, ...]:
     )
 
 
-def _rotating_fit(found: list[Sweep]) -> tuple[AngleFit, list[Record]]:
-    kinds = [BIAS, GAIN] + ([SCALE] if any(s.table_rate != 0.0 for s in found) else [])
-    if len({np.sign(s.virtual_rotation) for s in found}) < 2:
+def _rotating_fit(sweeps: list[Sweep]) -> tuple[AngleFit, list[Record]]:
+    kinds = [BIAS, GAIN] + ([SCALE] if any(s.table_rate != 0.0 for s in sweeps) else [])
+    if len({np.sign(s.virtual_rotation) for s in sweeps}) < 2:
         raise BenchError(
-            f"{', '.join(sorted({s.source for s in found})) or 'campaign'}: virtual rotation "
+            f"{', '.join(sorted({s.source for s in sweeps})) or 'campaign'}: virtual rotation "
             "is needed both ways, else its gain error looks like a bias"
         )
-    orders = select_orders(found, kinds)
-    records = [sweep.record(orders, kinds) for sweep in found]
+    orders = select_orders(sweeps, kinds)
+    records = [sweep.record(orders, kinds) for sweep in sweeps]
     return angle_fit.fit_angles(records), records
 
 
-def _resting_fit(found: list[Sweep]) -> tuple[AngleFit, list[Record]]:
+def _resting_fit(sweeps: list[Sweep]) -> tuple[AngleFit, list[Record]]:
     """Each stretch has its own bias, which drifts as Earth carries the pattern over the map."""
-    if not found:
+    if not sweeps:
         raise BenchError("no stretch at rest without virtual rotation to compare with")
     records = []
-    for number, sweep in enumerate(found):
+    for number, sweep in enumerate(sweeps):
         time = (sweep.time - sweep.time[0]) / (sweep.time[-1] - sweep.time[0])
-        powers = [(i, power) for i in range(len(found)) for power in (1, 2, 3)]
+        powers = [(i, power) for i in range(len(sweeps)) for power in (1, 2, 3)]
         columns = {f"{i}, {power}": time**power * (i == number) for i, power in powers}
         records.append(Record(sweep.interval, sweep.excess, columns))
     return angle_fit.fit_angles(records), records
@@ -181,9 +181,9 @@ def _scale_factors(campaign: Campaign, turning: AngleFit) -> tuple[Finding, ...]
     )
 
 
-def _verdict(found: dict[str, Finding]) -> str:
-    on, off = found["bias repeatability on"], found["bias repeatability off"]
-    ratio = found["random walk on over off"]
+def _verdict(findings: dict[str, Finding]) -> str:
+    on, off = findings["bias repeatability on"], findings["bias repeatability off"]
+    ratio = findings["random walk on over off"]
     text = (
         "Virtual rotation multiplies the angle random walk by "
         f"{format_interval(ratio.value, *ratio.interval)}"

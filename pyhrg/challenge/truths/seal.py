@@ -34,10 +34,10 @@ def hash_truth(path: Path) -> str:
 
 def open_truth(path: Path, published: str) -> Truth:
     """A truth; refused if it is not the one whose hash was published."""
-    found = hash_truth(path)
-    if found != published:
+    digest = hash_truth(path)
+    if digest != published:
         raise ChallengeError(
-            f"{path}: SHA-256 is {found}; {published} was published before diagnosing"
+            f"{path}: SHA-256 is {digest}; {published} was published before diagnosing"
         )
     known = {field.name for field in fields(Truth)}
     values: dict[str, Any] = {

@@ -30,10 +30,10 @@ def find_cache_folder() -> Path:
     folder.mkdir(mode=OF_USER_ALONE, parents=True, exist_ok=True)
     if not hasattr(os, "geteuid"):  # Windows: a user's folders are the user's alone
         return folder
-    found = folder.stat()
-    if found.st_uid != os.geteuid() or found.st_mode & OTHERS_MAY_WRITE:
+    status = folder.stat()
+    if status.st_uid != os.geteuid() or status.st_mode & OTHERS_MAY_WRITE:
         raise HrgError(
-            f"{folder}: found owner {found.st_uid} and mode {stat.S_IMODE(found.st_mode):o}, "
+            f"{folder}: found owner {status.st_uid} and mode {stat.S_IMODE(status.st_mode):o}, "
             f"expected a cache that user {os.geteuid()} alone may write: delete it, or name "
             "another by XDG_CACHE_HOME"
         )

@@ -74,7 +74,7 @@ def _run(
     sets: Sequence[Sequence[Term]],
 ) -> list[Residuals]:
     """Residuals of the FMU in a test, with each of these sets of its terms."""
-    devices = [put_terms(device, terms) for terms in sets]
+    devices = [put_terms(device, terms, test.test.id) for terms in sets]
     answers = replay_sampled_together(fmu, devices, test.inputs)
     return [compute_record_residuals(simulation, device, test, answer) for answer in answers]
 

@@ -10,6 +10,7 @@ import numpy as np
 from pyhrg.bench.readings.first_order_lag import follow_with_lag
 from pyhrg.common.arrays import Array
 from pyhrg.common.caches.compiled import compile_loop
+from pyhrg.common.units import ARCSEC
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import EACH_POWER_ON
 from pyhrg.gap.replay.observations import ObservedTest
@@ -27,6 +28,11 @@ TEMPERATURE_POWERS = (1, 2, 3)
 """Powers of the temperature. Chosen."""
 HYSTERESIS_WIDTHS = (2, 5, 10, 20)
 """Widths of the temperature hysteresis, from end to end, K. Chosen."""
+LAST_MOTION = "direction of the last motion of the table"
+"""Words of the function that a backlash of the encoder's drive follows."""
+BACKLASH_WIDTH = 10 * ARCSEC
+"""Turn by which the table's direction of motion changes from -1 to 1, rad. Chosen: far above the
+noise of an encoder, far below a move."""
 THERMAL_LAGS = (600, 3600)
 """Time constants with which a part of the gyro follows the case's temperature, s. Chosen."""
 ZERO_TEMPERATURE_RATE = 0.05 / 60
@@ -78,6 +84,19 @@ class Coordinates:
     def functions(self) -> list[tuple[str, str, int | None, Array]]:
         """Coordinate, words, harmonic and (n, b) values of each basis function."""
         return [(c, w, m, v.reshape(len(v), -1)) for c, w, m, v in _generate_functions(self)]
+
+    @cached_property
+    def harmonics(self) -> dict[int, Array]:
+        """(n, 2) cosine and sine of each multiple of the pattern angle."""
+        return {m: make_harmonic(m * self.pattern_angle) for m in PATTERN_HARMONICS}
+
+    @cached_property
+    def table_direction(self) -> Array:
+        """(n, 1) direction of the table's last motion, -1 to 1; 0 until it moves. By half the
+        backlash, with this sign, an encoder with backlash lags behind the table."""
+        turned = np.append(0.0, self.table_angle)
+        lag = turned - _follow_with_play(turned, BACKLASH_WIDTH)
+        return np.asarray(lag[1:, None] / (BACKLASH_WIDTH / 2))
 
     @cached_property
     def factors(self) -> dict[str, Array]:
@@ -156,8 +175,7 @@ def _generate_functions(where: Coordinates) -> Functions:
 def _generate_angle_functions(where: Coordinates) -> Functions:
     yield "wave_angle", "mean over the pattern angle", 0, np.ones(len(where.pattern_angle))
     for m in PATTERN_HARMONICS:
-        words = f"harmonic {m} of the pattern angle"
-        yield "wave_angle", words, m, make_harmonic(m * where.pattern_angle)
+        yield "wave_angle", f"harmonic {m} of the pattern angle", m, where.harmonics[m]
     for m in TABLE_HARMONICS:
         words = f"harmonic {m} of the table angle"
         yield "table_angle", words, m, make_harmonic(m * where.table_angle)
@@ -165,9 +183,9 @@ def _generate_angle_functions(where: Coordinates) -> Functions:
 
 def _generate_anisotropies(where: Coordinates) -> Functions:
     """What an anisotropy of damping or stiffness gives that follows another coordinate."""
-    words, fourth = "harmonic 4 of the pattern angle", make_harmonic(4 * where.pattern_angle)
+    words = "harmonic 4 of the pattern angle"
     for coordinate, second in ANISOTROPY_FACTORS:
-        yield coordinate, *where.multiply(words, fourth, second)
+        yield coordinate, *where.multiply(words, where.harmonics[4], second)
 
 
 def _generate_temperature_functions(where: Coordinates) -> Functions:
@@ -191,9 +209,8 @@ def _generate_temperature_functions(where: Coordinates) -> Functions:
 def _generate_rate_functions(where: Coordinates) -> Functions:
     rate = where.table_rate
     for m in RATE_HARMONICS:
-        harmonic = make_harmonic(m * where.pattern_angle)
         words = f"harmonic {m} of the pattern angle"
-        yield "wave_angle", *where.multiply(words, harmonic, "the rate")
+        yield "wave_angle", *where.multiply(words, where.harmonics[m], "the rate")
     for p, words in ((1, "rate"), (2, "rate squared"), (3, "rate cubed")):
         yield "rate", words, None, rate**p
     yield "rate", "magnitude of the rate", None, np.abs(rate)

@@ -78,6 +78,11 @@ class Design:
         log_determinant = sum(b.log_determinant / (1 + b.model_error) for b in self.blocks)
         return -(self.power + log_determinant + self.log_volume) / 2
 
+    @property
+    def model_error(self) -> dict[TestChannel, float]:
+        """Chi-square of each channel of each test that counts as noise."""
+        return {(b.test, b.channel): b.model_error for b in self.blocks}
+
     @cached_property
     def log_volumes(self) -> dict[Group, float]:
         """Half the log determinant of each group's own products."""
@@ -125,13 +130,15 @@ def list_forms(design: Design, term: CandidateTerm) -> list[CandidateTerm]:
 def build_design(
     parts: Sequence[LinearTest],
     noise: CampaignNoise,
+    model_error: Mapping[TestChannel, float] | None = None,
     jumps: Sequence[Jump] = (),
     forms: Collection[Form] = (),
 ) -> Design:
     """Whiten all series of linearized tests and sum up the normal equations
-    (docs/methods/effects.md, Eqs. 7 and 8). Jumps are candidates in addition to effects and
+    (docs/methods/effects.md, Eqs. 7 to 9). Jumps are candidates in addition to effects and
     candidate terms. Forms are what large terms may miss; these terms and forms act in other
     channels too where they make the pattern be read at a wrong angle."""
+    error = model_error or {}
     effects = list(parts[0].sensitivities)
     columns: dict[Group, NDArray[np.int64]] = {}
     outputs = [jump for jump in jumps if jump.kind == "output"]
@@ -161,6 +168,7 @@ def build_design(
                     white.gram,
                     int(part.test.rows[channel].sum()),
                     white.log_determinant,
+                    error.get((part.test.test.id, channel), 0.0),
                 )
             )
     return _assemble(columns, blocks)

@@ -6,6 +6,7 @@ Eq. 10a).
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.polynomial import chebyshev
@@ -39,7 +40,7 @@ class Form(CandidateTerm):
     reach: float = 1.0
     size: int = 1
 
-    @property
+    @cached_property
     def term(self) -> CandidateTerm:
         """The candidate term."""
         return CandidateTerm(self.channel, self.coordinate, self.function, self.harmonic)
@@ -75,9 +76,7 @@ def build_form_columns(
     where: Coordinates, channel: str, forms: Collection[Form]
 ) -> list[tuple[Form, Array]]:
     """Forms that show in a channel in a test, (n, d) each."""
-    by_term: dict[CandidateTerm, list[Form]] = {}
-    for form in forms:
-        by_term.setdefault(form.term, []).append(form)
+    by_term = _group_by_term(forms)
     return [
         (form, respond(form.bend(block, get_bent(form, block, where))))
         for term, block, respond in (generate_terms(where, channel) if forms else ())
@@ -90,14 +89,21 @@ def build_reading_columns(
 ) -> Iterator[tuple[CandidateTerm, Array]]:
     """Errors of the output angle, (n, d) each, of all terms and of those forms that make the
     pattern be read at a wrong angle."""
+    by_term = _group_by_term(forms)
     for term, block, _ in generate_terms(where, "gyro_angle"):
         if term.is_reading_error:
             yield term, block
             yield from (
                 (form, form.bend(block, get_bent(form, block, where)))
-                for form in forms
-                if form.term == term
+                for form in by_term.get(term, ())
             )
+
+
+def _group_by_term(forms: Collection[Form]) -> dict[CandidateTerm, list[Form]]:
+    by_term: dict[CandidateTerm, list[Form]] = {}
+    for form in forms:
+        by_term.setdefault(form.term, []).append(form)
+    return by_term
 
 
 def find_forms(

@@ -43,9 +43,7 @@ class Jump(CandidateTerm):
 
 def make_bias_jump(times: Sequence[tuple[str, float]], log_odds: float) -> Jump:
     """A jump of the bias with its description; arguments as in `Jump`."""
-    others = len(times) - 1
-    more = f", and in {others} other test{'s' if others > 1 else ''}" if others else ""
-    words = f"bias: a jump {_describe(*times[0])}{more}"
+    words = f"bias: a jump {_describe_all(times)}"
     return Jump("gyro_angle", "time", words, None, tuple(times), log_odds)
 
 
@@ -53,12 +51,18 @@ def make_step(times: Sequence[tuple[str, float]], log_odds: float, kind: Kind) -
     """A step of the pattern angle or of the output alone, with its description; arguments as in
     `Jump`."""
     what = "pattern" if kind == "pattern" else "output alone"
-    words = f"{what}: a step {'; '.join(_describe(*time) for time in times)}"
+    words = f"{what}: a step {_describe_all(times)}"
     return Jump("gyro_angle", "time", words, None, tuple(times), log_odds, kind)
 
 
-def _describe(test: str, time: float) -> str:
-    return f"at {time:.6g} s in {test}"
+def _describe_all(times: Sequence[tuple[str, float]]) -> str:
+    return "; ".join(f"at {time:.6g} s in {test}" for test, time in times)
+
+
+def parse_times(words: str) -> list[tuple[str, float]]:
+    """Test and time, s, of each change that the description of a jump or a step names."""
+    each = (change.removeprefix("at ").partition(" s in ") for change in words.split("; "))
+    return [(test, float(time)) for time, _, test in each]
 
 
 def integrate_jump(rows: Array, times: Array) -> Array:

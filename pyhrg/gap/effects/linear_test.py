@@ -20,6 +20,7 @@ from pyhrg.gap.replay.replay import estimate_thermometer_noise
 from pyhrg.gap.replay.simulation import compute_carrier_terms
 from pyhrg.gap.soundness.origin import is_origin_set
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, compute_temperature_slopes
+from pyhrg.gap.whitening.smoothing import is_coarsely_quantized, smooth_readings
 from pyhrg.gap.whitening.whitening import WhitenedSeries, whiten
 
 MAX_ORIGIN = 1.0
@@ -123,10 +124,14 @@ class LinearTest:
         simulated one; `angles` are the same series of the output angle, rad.
 
         Noise that turns the pattern then appears in the output angle alone
-        (docs/methods/effects.md, Eq. 3).
+        (docs/methods/effects.md, Eq. 3). Readings that are coarsely quantized are smoothed: their
+        error does not turn the pattern (Eq. 3a).
         """
         if channel == "gyro_angle":
             return series
+        if is_coarsely_quantized(self.device):
+            log = self.test.log
+            angles = smooth_readings(angles, np.isfinite(log.gyro_angle), log.interval, self.device)
         return series + self.bryan_factor * self.slopes[channel][:, None] * angles
 
 
@@ -138,11 +143,15 @@ def whiten_terms(
     forms: Collection[Form],
     noise: CampaignNoise,
 ) -> WhitenedTerms:
-    """Products of a channel's columns. Those of the last noise and forms are kept: designs under
-    different noises of the output angle share the other channels."""
-    key = (noise.get_own_model(channel, part.test), tuple(outputs), tuple(forms))
+    """Products of a channel's columns. The last ones of each channel are kept: a search that begins
+    without linearization error repeats those of the one before, and designs under different noises
+    of the output angle share the other channels."""
+    if channel != "gyro_angle":
+        jumps = ()
+        forms = [f for f in forms if f.channel != "gyro_angle" or f.is_reading_error]
+    key = noise.get_own_model(channel, part.test), tuple(outputs), tuple(jumps), tuple(forms)
     kept = part.kept.get(channel)
-    if channel != "gyro_angle" and kept and kept[0] == key:
+    if kept and kept[0] == key:
         return kept[1]
     candidates: list[tuple[CandidateTerm, Array]] = [
         *build_term_columns(part.where, channel),
@@ -162,8 +171,7 @@ def whiten_terms(
     white = whiten_rows(part, channel, np.column_stack(series), noise)
     sizes = {term: values.shape[1] for term, values in candidates}
     terms = WhitenedTerms(sizes, white.series.T @ white.series, white.log_determinant)
-    if channel != "gyro_angle":
-        part.kept[channel] = key, terms
+    part.kept[channel] = key, terms
     return terms
 
 

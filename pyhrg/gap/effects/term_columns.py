@@ -10,7 +10,14 @@ import numpy as np
 
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import EACH_POWER_ON, CandidateTerm
-from pyhrg.gap.effects.coordinates import PATTERN_HARMONICS, Coordinates, Functions, make_harmonic
+from pyhrg.gap.effects.coordinates import (
+    LAST_MOTION,
+    PATTERN_HARMONICS,
+    Coordinates,
+    Functions,
+    make_harmonic,
+)
+from pyhrg.gap.effects.jump import Jump
 
 Columns = list[tuple[CandidateTerm, Array]]
 """Terms with their (n, b) columns in one channel."""
@@ -49,6 +56,7 @@ def compute_response(
 ) -> Array:
     """(n,) response of a channel to terms of these sizes, (d,) each, in units of their columns."""
     columns = dict(build_term_columns(where, channel))
+    columns |= {t: t.columns(where) for t in sizes if isinstance(t, Jump) and t.channel == channel}
     own = [columns[term] @ size for term, size in sizes.items() if term in columns]
     return np.asarray(sum(own, np.zeros(len(where.pattern_angle))))
 
@@ -67,9 +75,9 @@ def _show(block: Array) -> Array:
 
 def _generate_angle_terms(where: Coordinates) -> Iterator[PlacedTerm]:
     """Terms of the output angle alone: a bias, whose integral appears; an error of the angle, from
-    the table's start on where it is the encoder's; a force that points beside the pattern by an
-    angle, which is a bias in proportion to the drive's growth rate; and an error of the pick-off,
-    which is both of these."""
+    the table's start on where it is the encoder's, which may also have a backlash; a force that
+    points beside the pattern by an angle, which is a bias in proportion to the drive's growth rate;
+    and an error of the pick-off, which is both of these."""
 
     def integrate(rate: Array) -> Array:
         return np.asarray(np.cumsum(rate, axis=0) * where.test.log.interval)
@@ -83,6 +91,8 @@ def _generate_angle_terms(where: Coordinates) -> Iterator[PlacedTerm]:
         if harmonic:
             is_table = coordinate == "table_angle"
             yield _make_term(*key, "angle"), block, count_from_start if is_table else _show
+    backlash = _make_term("gyro_angle", "table_angle", LAST_MOTION, place="angle")
+    yield backlash, where.table_direction, _show
     for coordinate, function, harmonic, block in _generate_products(where):
         yield _make_term("gyro_angle", coordinate, function, harmonic, "bias"), block, integrate
     growth = where.growth_rate[:, None]
@@ -113,10 +123,10 @@ def _generate_electrode_errors(where: Coordinates) -> Functions:
     """Errors of an angle at the electrodes."""
 
     def modulate(m: int, second: str) -> tuple[str, None, Array]:
-        return where.multiply(HARMONIC.format(m), make_harmonic(m * where.pattern_angle), second)
+        return where.multiply(HARMONIC.format(m), where.harmonics[m], second)
 
     for m in ELECTRODE_HARMONICS:
-        yield "wave_angle", HARMONIC.format(m), m, make_harmonic(m * where.pattern_angle)
+        yield "wave_angle", HARMONIC.format(m), m, where.harmonics[m]
     for m in (2, 4):
         yield "temperature", *modulate(m, "the temperature")
         for words in FORCES:
@@ -139,7 +149,7 @@ def _generate_drive_gains(where: Coordinates, channel: str) -> Iterator[PlacedTe
 
     for m in ELECTRODE_HARMONICS:
         term = _make_term("amplitude_force", "wave_angle", HARMONIC.format(m), m, "drive gain")
-        yield term, make_harmonic(m * where.pattern_angle), weaken
+        yield term, where.harmonics[m], weaken
 
 
 def _generate_free_decay(where: Coordinates) -> Iterator[PlacedTerm]:

@@ -7,14 +7,14 @@ is repeated around it until it moves no more. Sizes always count from the nomina
 
 import math
 from collections import deque
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue, Effect
-from pyhrg.gap.effects.design import Design, compute_excess_power
+from pyhrg.gap.effects.design import Design
 from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.effects.sensitivities import compute_sensitivities, linearize_test
 from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2, list_large_terms, rank_with_forms
@@ -27,6 +27,7 @@ from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
 from pyhrg.gap.evidence.posterior import Posterior, average_posteriors, compare_noises
 from pyhrg.gap.evidence.residual_features import compute_checked_residuals, find_period
+from pyhrg.gap.evidence.residuals import compute_residuals
 from pyhrg.gap.evidence.search import Ranking
 from pyhrg.gap.evidence.step import (
     LINEARIZATION_ERROR,
@@ -42,13 +43,11 @@ CONVERGENCE_DISTANCE = 0.1 / math.sqrt(LINEARIZATION_ERROR)
 """The search has converged when a step moves the gyro by less than this Mahalanobis distance
 (Eq. (11)), 3.2. Derived: the linearization error of such a step moves the estimate by a tenth of
 its standard deviation."""
-SENSITIVITY_DISTANCE = 300.0
-"""Mahalanobis distance from where all sensitivities were taken beyond which they are taken again.
-Chosen."""
 MAX_HALVINGS = 8
 """Number of times that a step to a gyro which the FMU refuses is halved. Chosen."""
 LINEAR_DISTANCE = math.sqrt(NEGLIGIBLE_CHI2 / LINEARIZATION_ERROR)
-"""Mahalanobis length of a step with a negligible linearization error: 32 sigma. Derived."""
+"""Mahalanobis length of a step with a negligible linearization error, 32 sigma. Farther from where
+sensitivities were taken they are taken again. Derived."""
 MAX_ROUNDS = 20
 """Number of iterations after which the search ends unconverged. Chosen."""
 LINE_WIDTH = 0.02
@@ -139,8 +138,8 @@ class _Iteration:
     noise nor as another effect: it is added to the noise (Eq. (10)). Noise, jumps and steps are
     looked for once the steps are short.
 
-    _to_differentiate: effects whose sensitivities are due.
-    _differentiated_at: gyro at which all sensitivities were taken last.
+    _is_far: whether sensitivities are due.
+    _differentiated_at: gyro at which they were taken last.
     _linearization_error: allowed linearization error, as chi-square.
     _compared_groups: set of effects for which the noises were compared last.
     _last_exact: last hypothesis without linearization error; the next search starts from it.
@@ -155,7 +154,7 @@ class _Iteration:
     ) -> None:
         self._simulation, self._nominal = simulation, nominal
         self._tests, self._catalogue = tests, catalogue
-        self._to_differentiate: Collection[Effect] = catalogue.parameters
+        self._is_far = True
         self._differentiated_at = nominal
         self._linearization_error = math.inf
         self._compared_groups: tuple[Group, ...] | None = None
@@ -186,26 +185,27 @@ class _Iteration:
 
     def _simulate(self) -> None:
         simulation, device = self._simulation, self.device
-        if self.parts and self.parts[0].device is device and not self._to_differentiate:
+        if self.parts and self.parts[0].device is device and not self._is_far:
             return
         answers = [simulation.simulate(device, test) for test in self._tests]
-        parts = []
-        for i, test in enumerate(self._tests):
-            columns: dict[Effect, Mapping[str, Array]] = {
-                **(self.parts[i].sensitivities if self.parts else {}),
-                **compute_sensitivities(simulation, device, test, self._to_differentiate),
-            }
-            part = linearize_test(simulation, self._nominal, device, test, answers[i], columns)
-            parts.append(part)
-        self.parts = parts
+        columns: list[Mapping[Effect, Mapping[str, Array]]]
+        columns = [part.sensitivities for part in self.parts]
+        if self._is_far:
+            effects = self._catalogue.parameters
+            columns = [compute_sensitivities(simulation, device, t, effects) for t in self._tests]
+        self.parts = [
+            linearize_test(simulation, self._nominal, device, *own)
+            for own in zip(self._tests, answers, columns, strict=True)
+        ]
+        self._differentiated_at = device if self._is_far else self._differentiated_at
         self.nominal_answers = self.nominal_answers or tuple(answers)
 
     def search(self) -> Hypothesis:
         """The most probable hypothesis; noises are compared again where the best set changed."""
         nominal = self._nominal
-        if self._linearization_error == math.inf:
-            excess = compute_excess_power(self.parts, estimate_nominal_noise(nominal, self.parts))
-            self._linearization_error = LINEARIZATION_ERROR * sum(excess.values())
+        if self._linearization_error:
+            power = LINEARIZATION_ERROR * self._measure_gap()
+            self._linearization_error = min(self._linearization_error, power)
         hypothesis = self._rank()
         length = self.step_length(hypothesis)
         if self._linearization_error and length < LINEAR_DISTANCE:
@@ -224,6 +224,15 @@ class _Iteration:
             is_near = self.step_length(hypothesis) < LINEAR_DISTANCE
             self._compared_groups = self.posterior.best.ranking.best.groups if is_near else None
         return self.posterior.best
+
+    def _measure_gap(self) -> float:
+        """Chi-square of the records less the simulation of the present gyro, beyond their noise."""
+        nominal = self._nominal
+        effects = self._catalogue.parameters
+        moved: dict[Group, Array] = {e: e.vector(self.device) - e.vector(nominal) for e in effects}
+        noise = estimate_nominal_noise(nominal, self.parts)
+        residuals = compute_residuals(self.parts, moved, noise, nominal)
+        return sum(max(float(r.white @ r.white) - len(r.white), 0.0) for r in residuals)
 
     def _rank(self) -> Hypothesis:
         """Sets under the present noise, at last beside the forms that terms may have."""
@@ -263,17 +272,11 @@ class _Iteration:
         return is_noise_kept and is_near and self.step_length(hypothesis) < CONVERGENCE_DISTANCE
 
     def move(self, hypothesis: Hypothesis) -> None:
-        """Move the gyro to where the hypothesis has it. Sensitivities are taken again once
-        steps are short."""
-        best, design = hypothesis.ranking.best, hypothesis.exact.whole
-        moved = move_gyro(self._nominal, self.device, hypothesis)
-        is_near = self._has_near_sensitivities(hypothesis)
-        self._to_differentiate = [] if is_near else list(best.named)
-        is_far = measure_step(self._differentiated_at, moved, design) >= SENSITIVITY_DISTANCE
-        if is_far and self.step_length(hypothesis) < SENSITIVITY_DISTANCE:
-            self._differentiated_at, self._to_differentiate = moved, self._catalogue.parameters
-        self.device = moved
+        """Move the gyro to where the hypothesis has it. Far from where sensitivities were taken
+        last, they are taken again."""
+        self.device = move_gyro(self._nominal, self.device, hypothesis)
+        self._is_far = not self._has_near_sensitivities(hypothesis)
 
     def _has_near_sensitivities(self, hypothesis: Hypothesis) -> bool:
         distance = measure_step(self._differentiated_at, self.device, hypothesis.exact.whole)
-        return distance < SENSITIVITY_DISTANCE
+        return distance < LINEAR_DISTANCE

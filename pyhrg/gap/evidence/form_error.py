@@ -66,7 +66,8 @@ def _fit_single_cause(first: Hypothesis, parts: Sequence[LinearTest]) -> Fit:
     seen = sorted((f for f in fits if f), key=lambda f: -f.explained)[:MAX_LEADERS]
     errors = [_allow_forms(f, first, parts) for f in seen]
     forms = {form: None for error in errors for form in error.sigmas}
-    whole = first.discount(build_design(parts, first.channel_noise, forms=tuple(forms)))
+    error = first.known.whole.model_error
+    whole = build_design(parts, first.channel_noise, error, forms=tuple(forms))
 
     def score(fitted: Fit, error: FormError) -> float:
         known = first.known.tolerances.items()

@@ -24,7 +24,6 @@ from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.evidence.evidence import Fit
 from pyhrg.gap.evidence.jump_search import find_jumps, find_steps
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
-from pyhrg.gap.evidence.noise.quantization import find_quantization_step
 from pyhrg.gap.evidence.residuals import compute_residuals, distinct_by_groups
 from pyhrg.gap.evidence.search import Ranking, rank_sets
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, estimate_campaign_noise
@@ -109,11 +108,6 @@ class Hypothesis:
             if np.linalg.norm(size) > SIGNIFICANT_SIGMA * sigma_along(size, covariance)
         }
 
-    def discount(self, design: Design) -> Design:
-        """Equations with the model error of this hypothesis' own."""
-        errors = {(b.test, b.channel): b.model_error for b in self.known.whole.blocks}
-        return discount_model_error(design, errors)
-
     @property
     def log_posterior(self) -> float:
         """Log posterior probability of the noise, up to a constant, summed over sets (Eq. (8))."""
@@ -191,10 +185,10 @@ def rank_under_noise(
     nominal_noise = estimate_nominal_noise(nominal, parts)
     model_error = model_error_power(compute_excess_power(parts, nominal_noise))
     channel_noise = replace(nominal_noise, angle=noise.noise)
-    exact = build_design(parts, channel_noise, forms=tuple(forms.sigmas))
+    exact = build_design(parts, channel_noise, model_error, forms=tuple(forms.sigmas))
     tolerances = _list_tolerances(nominal, parts)
     tolerances.update(forms.sigmas.items())
-    known = KnownParameters(discount_model_error(exact, model_error), tolerances, forms.terms)
+    known = KnownParameters(exact, tolerances, forms.terms)
     if linearization_error:
         error = {where: linearization_error + power for where, power in model_error.items()}
         rough = KnownParameters(discount_model_error(exact, error), tolerances)
@@ -206,11 +200,11 @@ def rank_under_noise(
     residuals = [
         compute_residuals(parts, r, channel_noise, nominal, ("gyro_angle",)) for r in removed
     ]
-    quantum, _ = find_quantization_step([part.test for part in parts]) or (0.0, 0.0)
+    quantum = nominal.quantization_step
     if jumps := {jump for r in residuals for jump in (*find_jumps(r), *find_steps(r, quantum))}:
         ordered = sorted(jumps, key=lambda jump: jump.words)
-        exact = build_design(parts, channel_noise, ordered, tuple(forms.sigmas))
-        known = KnownParameters(discount_model_error(exact, model_error), tolerances, forms.terms)
+        exact = build_design(parts, channel_noise, model_error, ordered, tuple(forms.sigmas))
+        known = KnownParameters(exact, tolerances, forms.terms)
         ranking = rank_sets(known.marginal, is_feasible, ranking.best.groups, forms.terms)
         hypothesis = Hypothesis(noise, channel_noise, known, ranking, known, forms)
     return hypothesis

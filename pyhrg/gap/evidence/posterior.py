@@ -22,7 +22,7 @@ from pyhrg.gap.evidence.form_error import rank_with_forms
 from pyhrg.gap.evidence.hypothesis import Hypothesis, sigma_along
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
-from pyhrg.gap.evidence.noise.noise_search import drop_each_noise, fit_rival_noises
+from pyhrg.gap.evidence.noise.noise_search import fit_rival_noises
 from pyhrg.gap.evidence.residuals import Removed, compute_residuals, distinct_by_groups
 from pyhrg.gap.whitening.channel_noise import build_angle_noise
 
@@ -137,8 +137,7 @@ def compare_noises(
         without a name those of the catalogue. The known parameters were estimated under another
         noise, so that the residual alone does not decide between these."""
         residuals = compute_residuals(parts, removed, best.channel_noise, nominal, ("gyro_angle",))
-        noise, *named = fit_rival_noises(residuals, stated, noises)
-        return [noise, *drop_each_noise(noise, residuals, stated), *named]
+        return fit_rival_noises(residuals, stated, noises)
 
     while True:
         is_evident = best.ranking.best.explained >= EVIDENT_CHI2

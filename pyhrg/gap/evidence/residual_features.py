@@ -20,9 +20,9 @@ from pyhrg.gap.effects.linear_test import LinearTest
 from pyhrg.gap.evidence.evidence import HALF_UNNAMED_ODDS, log_evidence
 from pyhrg.gap.evidence.hypothesis import Hypothesis
 from pyhrg.gap.evidence.noise.noise_posterior import TOLERANCE
-from pyhrg.gap.evidence.noise.quantization import is_coarsely_quantized
 from pyhrg.gap.evidence.residuals import Removed, Residual, compute_residuals
 from pyhrg.gap.replay.observations import CHANNEL_WORDS, CHANNELS
+from pyhrg.gap.whitening.smoothing import is_coarsely_quantized
 
 MIN_READINGS = 16
 """Readings that a stretch must have. Chosen."""
@@ -74,9 +74,8 @@ def compute_checked_residuals(
     angle. So are channels in which the noise of a coarse thermometer shows.
     """
     noise = hypothesis.channel_noise
-    is_coarse = is_coarsely_quantized(hypothesis.noise, nominal)
-    channels = CHANNELS[1:] if is_coarse else CHANNELS
-    errors = {(b.test, b.channel): b.model_error for b in hypothesis.design.blocks}
+    channels = CHANNELS[1:] if is_coarsely_quantized(nominal) else CHANNELS
+    errors = hypothesis.design.model_error
     return [
         r
         for r in compute_residuals(parts, removed, noise, nominal, channels, errors)

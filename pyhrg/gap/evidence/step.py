@@ -11,7 +11,8 @@ from pyhrg.gap.evidence.hypothesis import Hypothesis
 
 LINEARIZATION_ERROR = 1e-3
 """Share of a step's power that may remain in the residual because effects are not linear (Eq.
-(10)). The first time the step is the whole gap, later the last one. Chosen."""
+(10)). The step is at most the gap that is left, and taken for no longer than the last one.
+Chosen."""
 
 
 def move_gyro(nominal: Device, device: Device, hypothesis: Hypothesis) -> Device:
@@ -37,8 +38,8 @@ def go_halfway(old: Device, new: Device, effects: Sequence[Effect]) -> Device:
 
 def measure_step(old: Device, new: Device, summed: Design) -> float:
     """Mahalanobis distance between two gyros (Eq. (11))."""
-    unit = np.zeros(len(summed.projection))
-    for effect in (group for group in summed.columns if isinstance(group, Effect)):
-        where = summed.columns[effect]
-        unit[where] = (effect.vector(new) - effect.vector(old)) * summed.norms[where]
-    return float(np.sqrt(max(float(unit @ summed.gram @ unit), 0.0)))
+    effects = [group for group in summed.columns if isinstance(group, Effect)]
+    where = np.concatenate([summed.columns[effect] for effect in effects])
+    change = np.concatenate([effect.vector(new) - effect.vector(old) for effect in effects])
+    unit = change * summed.norms[where]
+    return float(np.sqrt(max(float(unit @ summed.gram[np.ix_(where, where)] @ unit), 0.0)))

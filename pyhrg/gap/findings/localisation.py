@@ -124,21 +124,16 @@ def _choose_term(
     grams = [block.gram for block in blocks]
     total = np.sum(grams, axis=0)
 
-    def equations(term: CandidateTerm) -> list[Array]:
-        """Normal equations for which the term has a size of its own."""
-        return grams if term.is_of_each_power_on else [total]
-
-    def explained(term: CandidateTerm) -> float:
-        return sum(_power(gram, candidates[term]) for gram in equations(term))
-
-    for has_own_sizes in (False, True):
-        powers = {t: explained(t) for t in candidates if t.is_of_each_power_on == has_own_sizes}
-        excess = {t: p - len(equations(t)) * len(candidates[t]) for t, p in powers.items()}
+    for has_own_sizes, equations in ((False, [total]), (True, grams)):
+        own = {t: c for t, c in candidates.items() if t.is_of_each_power_on == has_own_sizes}
+        explained = [_measure_powers(gram, own) for gram in equations]
+        powers = {t: sum(power[t] for power in explained) for t in own}
+        excess = {t: p - len(equations) * len(own[t]) for t, p in powers.items()}
         highest = max(excess.values(), default=0.0)
         if highest >= threshold:
             best = next(t for t in excess if excess[t] >= highest - POWER_TOLERANCE)
-            sizes = [_fit_sizes(gram, candidates[best]) for gram in equations(best)]
-            return best, powers[best], sizes if len(sizes) == len(grams) else sizes * len(grams)
+            sizes = [_fit_sizes(gram, own[best]) for gram in equations]
+            return best, powers[best], sizes if has_own_sizes else sizes * len(grams)
     return None
 
 
@@ -156,7 +151,7 @@ def _pursue(block: Block, columns: Columns) -> list[tuple[str, int | None, float
     parts: list[tuple[str, int | None, float]] = []
     unplaced, gram = excess, block.gram.copy()
     while unplaced > max(MIN_POWER, UNPLACED_SHARE * excess) and candidates:
-        powers = {t: _power(gram, where) for t, where in candidates.items()}
+        powers = _measure_powers(gram, candidates)
         best = max(powers, key=lambda t: powers[t])
         if powers[best] < MIN_POWER:
             break
@@ -169,9 +164,17 @@ def _pursue(block: Block, columns: Columns) -> list[tuple[str, int | None, float
     return parts
 
 
-def _power(gram: Array, where: NDArray[np.int64]) -> float:
-    """Decrease of the residual's power by a fit of these columns."""
-    return float(gram[where, -1] @ _fit_sizes(gram, where))
+def _measure_powers(gram: Array, candidates: Columns) -> dict[CandidateTerm, float]:
+    """Decrease of the residual's power by a fit of each term alone."""
+    powers = dict.fromkeys(candidates, 0.0)
+    for size in {len(where) for where in candidates.values()}:
+        terms = [term for term, where in candidates.items() if len(where) == size]
+        rows = np.array([candidates[term] for term in terms])
+        inverses = np.linalg.pinv(gram[rows[:, :, None], rows[:, None, :]], hermitian=True)
+        products = gram[rows, -1]
+        explained = np.einsum("ka,kab,kb->k", products, inverses, products)
+        powers.update(zip(terms, explained.tolist(), strict=True))
+    return powers
 
 
 def _fit_sizes(gram: Array, where: NDArray[np.int64]) -> Array:

@@ -26,7 +26,6 @@ from pyhrg.gap.effects.design import (
     Sizes,
     build_design,
     compute_excess_power,
-    discount_model_error,
 )
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.linear_test import Group, LinearTest
@@ -138,7 +137,7 @@ def compute_separations(
         designs = []
         for h in hypotheses:
             error = model_error_power(compute_excess_power(parts, h.noise))
-            designs.append(discount_model_error(build_design(parts, h.noise), error))
+            designs.append(build_design(parts, h.noise, error))
         sides = [
             _Side(
                 _scale_sizes(own, groups, unit),

@@ -4,6 +4,7 @@ import math
 from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -179,15 +180,17 @@ def _replay_few(
             gyros.append(stack.enter_context(fmu.power_on(parameters, seed=0, start_angle=angle)))
             varying.append(moving)
         recorded = record_rows_together(gyros, varying, held, step, LOOP_OUTPUTS, READ_AT_END)
-    changes = [read_change(r, Device(), d, log) for r, (d, _) in zip(recorded, runs, strict=True)]
+    ideal = Device()
+    changes = [read_change(r, ideal, d, log) for r, (d, _) in zip(recorded, runs, strict=True)]
     return [
         {name: values + change[name] for name, values in rows.items()}
         for rows, change in zip(recorded, changes, strict=True)
     ]
 
 
+@lru_cache(maxsize=256)
 def _list_parameters(fmu: GyroFmu, device: Device) -> dict[str, float]:
-    """Parameters of the FMU, without noise."""
+    """Parameters of the FMU, without noise. A device runs in all tests of a campaign."""
     silent = replace(device.without_noise(), quantization_step=0.0)
     unknown = () if fmu.is_sampled else LOOP_FREQUENCIES
     return {name: v for name, v in silent.fmu_parameters().items() if name not in unknown}

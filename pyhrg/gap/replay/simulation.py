@@ -77,8 +77,8 @@ class Simulation:
 
     sampled: GyroFmu
     quasi_steady: GyroFmu
-    _cache: OrderedDict[tuple[int, int, float], tuple[Device, ReplayInputs, ChannelValues]] = field(
-        default_factory=OrderedDict, init=False, repr=False, compare=False
+    _cache: OrderedDict[tuple[int, int], tuple[Device, ReplayInputs, Sequence[ChannelValues]]] = (
+        field(default_factory=OrderedDict, init=False, repr=False, compare=False)
     )
 
     def model(self, rows: int, interval: float) -> GyroFmu:
@@ -148,12 +148,15 @@ class Simulation:
         self, device: Device, others: Sequence[Device], test: ObservedTest
     ) -> list[dict[str, Array]]:
         """`compute_difference` of each of the others from one device, simulated together."""
-        (first,) = self._run_cached(device, test.inputs)
-        to_run = [other for other in others if not self._is_read_out(device, other, test)]
-        runs = iter(self._run_coarse([(other, test.inputs) for other in to_run]))
+        first = self._run_cached(device, test.inputs)[1]
+        read_out = [self._is_read_out(device, other, test) for other in others]
+        pairs = list(zip(others, read_out, strict=True))
+        runs = iter(
+            self._run_coarse([(o, test.inputs) for o, is_read_out in pairs if not is_read_out])
+        )
         differences = []
-        for other in others:
-            if self._is_read_out(device, other, test):
+        for other, is_read_out in pairs:
+            if is_read_out:
                 last = add_channels(first, replays.read_change(first, device, other, test.log))
             else:
                 last = next(runs)
@@ -171,8 +174,7 @@ class Simulation:
     def differentiate_by_angle(self, device: Device, test: ObservedTest) -> AngleDerivatives:
         """Derivatives of a replay by the pattern angle, by central differences of the start angle
         (docs/methods/replay.md, Eq. 7)."""
-        shifts = (-ANGLE_SHIFT, 0.0, ANGLE_SHIFT)
-        low, middle, high = self._run_cached(device, test.inputs, shifts)
+        low, middle, high = self._run_cached(device, test.inputs)
         pairs = (low, middle), (middle, high)
         below, above = (_subtract(*pair, device, device, test) for pair in pairs)
         slopes = {name: (below[name] + above[name]) / (2 * ANGLE_SHIFT) for name in CHANNELS}
@@ -185,18 +187,16 @@ class Simulation:
         curvatures = {n: (b + now[n] * turned) / shift**2 for n, b in bends.items()}
         return AngleDerivatives(now, curvatures)
 
-    def _run_cached(
-        self, device: Device, inputs: ReplayInputs, shifts: Sequence[float] = (0.0,)
-    ) -> list[ChannelValues]:
-        """`_run_coarse` with the start angle shifted by each of these, rad; recent results are
-        kept."""
-        keys = {shift: (id(device), id(inputs), shift) for shift in shifts}
-        due = [shift for shift in shifts if keys[shift] not in self._cache]
-        shifted = [(device, replace(inputs, start_angle=inputs.start_angle + s)) for s in due]
-        for shift, values in zip(due, self._run_coarse(shifted), strict=True):
-            self._cache[keys[shift]] = device, inputs, values
-        answers = [self._cache[key][-1] for key in keys.values()]
-        while sum(len(i.log.time) for _, i, _ in self._cache.values()) > MAX_CACHED_ROWS:
+    def _run_cached(self, device: Device, inputs: ReplayInputs) -> Sequence[ChannelValues]:
+        """`_run_coarse` with the start angle shifted by `-ANGLE_SHIFT`, nothing and `ANGLE_SHIFT`,
+        together; recent results are kept."""
+        key = id(device), id(inputs)
+        if key not in self._cache:
+            angles = (inputs.start_angle + shift for shift in (-ANGLE_SHIFT, 0.0, ANGLE_SHIFT))
+            runs = [(device, replace(inputs, start_angle=angle)) for angle in angles]
+            self._cache[key] = device, inputs, self._run_coarse(runs)
+        answers = self._cache[key][-1]
+        while sum(3 * len(i.log.time) for _, i, _ in self._cache.values()) > MAX_CACHED_ROWS:
             self._cache.popitem(last=False)
         return answers
 

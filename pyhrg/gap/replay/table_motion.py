@@ -4,8 +4,7 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
-from scipy import sparse
-from scipy.sparse import linalg
+from scipy.linalg import solve_banded
 
 from pyhrg.bench.programme import compute_step_middles, interpolate_rows
 from pyhrg.common.arrays import Array
@@ -107,22 +106,38 @@ def _fit_sparse(means: Array, interval: float) -> Array:
     Iteratively reweighted least squares (E. J. Candes, M. B. Wakin, S. P. Boyd, J. Fourier Anal.
     Appl. 14 (2008)); docs/methods/replay.md, Eq. 3.
     """
-    n = len(means)
     rates = (means + np.append(means[1:], means[-1])) / 2
     rates[:-1][(means[1:] == 0) | (means[:-1] == 0)] = 0.0
-    mean = sparse.diags_array([0.5, 0.5], offsets=[0, -1], shape=(n, n))
-    bend = sparse.diags_array([1.0, -2.0, 1.0], offsets=[-1, 0, 1], shape=(n - 1, n))
     negligible = NEGLIGIBLE_TURN / interval
     for _ in range(MAX_ITERATIONS):
-        parabolas, bends = means - mean @ rates, bend @ rates
-        a, b = (1 / (np.abs(values) + negligible) ** 2 for values in (parabolas, bends))
-        normal = mean.T @ sparse.diags_array(a) @ mean + bend.T @ sparse.diags_array(b) @ bend
-        scale = 1 / np.sqrt(normal.diagonal())
-        scaling = sparse.diags_array(scale)
-        gradient = mean.T @ (a * parabolas) - bend.T @ (b * bends)
-        scaled = sparse.csc_array(scaling @ normal @ scaling)
-        change = scale * linalg.spsolve(scaled, scale * gradient)
+        bounds = np.append(0.0, rates)
+        parabolas, bends = means - (bounds[1:] + bounds[:-1]) / 2, np.diff(bounds, 2)
+        change = _solve_step(parabolas, bends, negligible)
         rates = rates + change
         if np.abs(change).max() < CONVERGENCE_SHARE * negligible:
             break
     return rates
+
+
+def _solve_step(parabolas: Array, bends: Array, negligible: float) -> Array:
+    """(n,) change of the rates that minimises the sum of squares of (n,) parabolas and (n - 1,)
+    bends, each over itself and a negligible one: its normal equations have five diagonals."""
+    a, b = (1 / (np.abs(values) + negligible) ** 2 for values in (parabolas, bends))
+    bands = np.zeros((5, len(a)))
+    bands[2] = a / 4
+    bands[2, :-1] += a[1:] / 4 + 4 * b
+    bands[2, :-2] += b[1:]
+    bands[2, 1:] += b
+    bands[1, 1:] = a[1:] / 4 - 2 * b
+    bands[1, 1:-1] -= 2 * b[1:]
+    bands[0, 2:] = b[1:]
+    gradient, pulls = a * parabolas / 2, b * bends
+    gradient[:-1] += gradient[1:] + 2 * pulls
+    gradient[:-2] -= pulls[1:]
+    gradient[1:] -= pulls
+    scale = 1 / np.sqrt(bands[2])
+    bands[2] = 1.0
+    bands[1, 1:] *= scale[1:] * scale[:-1]
+    bands[0, 2:] *= scale[2:] * scale[:-2]
+    bands[3, :-1], bands[4, :-2] = bands[1, 1:], bands[0, 2:]
+    return np.asarray(scale * solve_banded((2, 2), bands, scale * gradient))

@@ -79,7 +79,7 @@ class StaticRecord:
 
 
 def read_static_record(path: Path, trusted: bool = False) -> StaticRecord:
-    """Read the log of an IMU (PSINS, CSV, Parquet: `pyhrg.records.imu`; body axes forward, right,
+    """Read the log of an IMU (`pyhrg.records.imu`; body axes forward, right,
     down) or a bench log (`pyhrg.records`).
 
     Args:

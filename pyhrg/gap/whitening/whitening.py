@@ -6,7 +6,7 @@ R. E. Kalman, J. Basic Eng. 82 (1960); F. C. Schweppe, IEEE Trans. Inf. Theory 1
 """
 
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -96,9 +96,11 @@ class NoiseModel:
         """(n,) factor of the angle random walk up to each reading."""
         return np.ones(n) if self.walk_growth is None else self.walk_growth
 
-    @cached_property
+    @property
+    @lru_cache(maxsize=64)  # noqa: B019 - noises are small
     def states(self) -> "MarkovStates":
-        """The slow terms as a Markov process (docs/methods/whitening.md, Eqs. 2 and 3)."""
+        """The slow terms as a Markov process (docs/methods/whitening.md, Eqs. 2 and 3); the same
+        object for noises that differ by the readings alone."""
         lags = [self.lag, *(FLICKER_PROCESS_TIMES if self.bias_instability else ())]
         rates = np.array([0.0] + [1.0] * (len(lags) - 1))
         variance = compute_process_variance(self.bias_instability)
@@ -157,8 +159,9 @@ def whiten(
     while white.shape[1] > series.shape[1]:
         shape, white = white[:, -1], white[:, :-1]
         if power := float(shape @ shape):
-            removed = (1 - 1 / np.sqrt(1 + power)) / power
-            white = white - removed * np.outer(shape, shape @ white)
+            removed = np.outer(shape, shape @ white)
+            removed *= (1 - 1 / np.sqrt(1 + power)) / power
+            white -= removed
             log_determinant += float(np.log1p(power))
     return WhitenedSeries(white, log_determinant)
 

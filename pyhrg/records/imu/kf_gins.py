@@ -21,4 +21,4 @@ def read_kf_gins(source: str, lines: list[str], trusted: bool = False) -> Record
     """The log of a file's lines; for `trusted` see `read_imu_log`."""
     places = range(len(COLUMNS)) if len(lines[0].split()) > len(COLUMNS) else None
     values = parse_numbers(source, lines, 1, COLUMNS, places=places)
-    return build_log(source, (ROTATION, VELOCITY), values, 1, trusted)
+    return build_log(source, (ROTATION, VELOCITY), values, range(1, len(values) + 1), trusted)

@@ -1,6 +1,7 @@
 """Logs of IMUs as tables: CSV, gzipped or not, and Parquet."""
 
 import io
+from collections.abc import Sequence
 
 import numpy as np
 import pandas as pd
@@ -45,7 +46,7 @@ def read_csv(source: str, lines: list[str], trusted: bool) -> RecordedImu:
     check_lengths(source, lines[1:], 2, header)
     places = [header.index(name) for name in columns]
     values = parse_numbers(source, lines[1:], 2, columns, ",", places)
-    return build_log(source, kinds, values, 2, trusted)
+    return build_log(source, kinds, values, range(2, len(values) + 2), trusted)
 
 
 def read_parquet(source: str, data: bytes, trusted: bool) -> RecordedImu:
@@ -60,7 +61,7 @@ def read_parquet(source: str, data: bytes, trusted: bool) -> RecordedImu:
         raise LogError(f"{source}: found {len(frame)} rows, expected at least {MIN_ROWS}")
     values = frame[columns].to_numpy(dtype=np.float64)
     check_finite(source, values, 1, columns)
-    return build_log(source, kinds, values, 1, trusted)
+    return build_log(source, kinds, values, range(1, len(values) + 1), trusted)
 
 
 def format_table(increments: Increments, ending: str) -> bytes | None:
@@ -115,22 +116,27 @@ def _choose_quantities(source: str, header: list[str]) -> tuple[Quantity, ...]:
 
 
 def build_log(
-    source: str, kinds: tuple[Quantity, ...], values: Array, first_row: int, trusted: bool
+    source: str,
+    kinds: tuple[Quantity, ...],
+    values: Array,
+    rows: Sequence[int],
+    trusted: bool,
+    z: str = "down",
 ) -> RecordedImu:
     """The log of a table: time, gyros, accelerometers, and pattern angles if there are any.
 
-    kinds: quantities of the columns after the time; values: (n, 7 or 10); first_row: number of the
-    first one in the file, for messages.
+    kinds: quantities of the columns after the time; values: (n, 7 or 10), body axes. For messages:
+    rows: (n,) their numbers in the file; z: direction of the file's own z axis.
     """
     time, readings = values[:, 0], [values[:, 1:4], values[:, 4:7]]
     gyros, accelerometers, *pattern = kinds
-    interval = _find_interval(source, time, first_row)
+    interval = _find_interval(source, time, rows)
     if not trusted:
         rate, force = (
             x / interval if k.integral else x
             for k, x in zip((gyros, accelerometers), readings, strict=True)
         )
-        check_plausibility(Readings(source, interval, gyros, accelerometers, rate, force))
+        check_plausibility(Readings(source, interval, gyros, accelerometers, rate, force, z))
     rotation, velocity = (
         np.ascontiguousarray(k.factor * (x if k.integral else x * interval))
         for k, x in zip((gyros, accelerometers), readings, strict=True)
@@ -140,7 +146,7 @@ def build_log(
     return RecordedImu(increments, None, None, source, angles)
 
 
-def _find_interval(source: str, time: Array, first_row: int) -> float:
+def _find_interval(source: str, time: Array, rows: Sequence[int]) -> float:
     steps = np.diff(time)
     interval = float(np.median(steps))
     wrong = steps <= 0
@@ -150,10 +156,10 @@ def _find_interval(source: str, time: Array, first_row: int) -> float:
         i = int(np.argmax(wrong))
         trouble = _describe_step(float(steps[i]), interval)
         found = f"{time[i + 1]:.10g} after {time[i]:.10g}"
-        raise make_field_error(source, first_row + i + 1, TIME, found, trouble)
+        raise make_field_error(source, rows[i + 1], TIME, found, trouble)
     if not MIN_INTERVAL <= interval <= MAX_INTERVAL:
         expected = f"{MIN_INTERVAL:g} s to {MAX_INTERVAL:g} s"
-        raise make_field_error(source, first_row + 1, TIME, f"steps of {interval:g} s", expected)
+        raise make_field_error(source, rows[1], TIME, f"steps of {interval:g} s", expected)
     return float(time[-1] - time[0]) / len(steps)
 
 

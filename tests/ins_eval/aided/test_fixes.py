@@ -1,6 +1,5 @@
 """Fixes from files: what is read, and what is refused."""
 
-import zlib
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +7,7 @@ import pytest
 
 from ins_eval.aided.fixes import read_fixes
 from pyhrg.common.errors import HrgError
+from tests.ins_eval.imu.messages import make_novatel, make_vectornav
 
 HEADER = "time_s,latitude_deg,longitude_deg,height_m,position_sigma_m"
 ROWS = [f"{t},45.0,7.5,300.0,2.0" for t in range(40)]
@@ -68,8 +68,7 @@ def test_text_of_kf_gins_is_read(tmp_path: Path) -> None:
 
 def make_message(body: str, seconds: float, week: int = 2163, name: str = "BESTGNSSPOSA") -> str:
     header = f"{name},COM1,0,83.5,FINESTEERING,{week},{seconds:.3f},02400000,b1f6,65535"
-    message = f"{header};{body}"
-    return f"#{message}*{zlib.crc32(message.encode(), 0xFFFFFFFF) ^ 0xFFFFFFFF:08x}"
+    return make_novatel(f"{header};{body}", "#")
 
 
 SOLVED = 'SOL_COMPUTED,SINGLE,51.15,-114.03,1097.6,-17.0,WGS84,1.3,1.5,3.1,"",0.0,0.0,18'
@@ -102,10 +101,46 @@ def test_messages_of_novatel_are_read(tmp_path: Path) -> None:
         ([PUBLISHED, PUBLISHED.replace("1097", "1098")], "row 2: found checksum 'c3194e35'"),
         ([make_message("0.1", 1.0, name="INSPVAA")], "found INSPVAA, expected one of BESTGNSS"),
         ([make_message("SOL_COMPUTED", 1.0)], "row 1: found too few fields"),
-        ([make_message(SOLVED.replace("-17.0", "x"), 1.0)], "expected week, seconds and heights"),
+        (
+            [make_message(SOLVED.replace("-17.0", "x"), 1.0)],
+            "row 1, undulation: found 'x', expected a number",
+        ),
         ([make_message(SOLVED.replace("51.15", "151.15"), 1.0)], "row 1, latitude_deg: found 151"),
     ],
 )
 def test_bad_messages_are_refused(tmp_path: Path, rows: list[str], message: str) -> None:
     with pytest.raises(HrgError, match=message):
         read_fixes(write(tmp_path, rows[0], rows[1:]))
+
+
+def write_position(seconds: float, week: int = 1694, kind: int = 3) -> str:
+    place = "+32.95,-096.71,+00169.457,-000.850,-000.580,-002.860,+005.5,+003.6,+009.7,+003.3,2E-08"
+    return make_vectornav(f"VNGPS,{seconds:.6f},{week},{kind},05,{place}")
+
+
+def test_messages_of_vectornav_are_read(tmp_path: Path) -> None:
+    """Over the end of a week; those of the sensor's own navigator and flat fixes aside."""
+    rows = [write_position(604780.0 + t) for t in range(20)]
+    rows += [write_position(float(t), week=1695) for t in range(20)]
+    rows.insert(5, write_position(604784.5, kind=2))
+    fixes = read_fixes(write(tmp_path, make_vectornav("VNINS,604780.0,1694,0004,1,2,3"), rows))
+    np.testing.assert_allclose(fixes.time, 604780.0 + np.arange(40))
+    np.testing.assert_allclose(fixes.position[0], [np.deg2rad(32.95), np.deg2rad(-96.71), 169.457])
+    level = np.sqrt((5.5**2 + 3.6**2) / 2)
+    np.testing.assert_allclose(fixes.position_sigma[0], [level, level, 9.7])
+    np.testing.assert_allclose(fixes.velocity[0], [-0.85, -0.58, -2.86])
+    np.testing.assert_allclose(fixes.velocity_sigma, 3.3)
+
+
+@pytest.mark.parametrize(
+    ("row", "message"),
+    [
+        (make_vectornav("VNINS,1,2,3"), "found VNINS, expected one of VNGPS"),
+        (make_vectornav("VNGPS,1,2,3,4,5"), "row 1: found too few fields, expected speed accuracy"),
+        (write_position(1.0).replace("32", "33"), "row 1: found checksum"),
+        (write_position(1.0), "found 1 positions, expected at least 30"),
+    ],
+)
+def test_bad_messages_of_vectornav_are_refused(tmp_path: Path, row: str, message: str) -> None:
+    with pytest.raises(HrgError, match=message):
+        read_fixes(write(tmp_path, row, []))

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from pyhrg.common.arrays import Array
-from pyhrg.gap.effects.jump import integrate_jump
+from pyhrg.gap.closing.equation.proposal import list_coefficients
+from pyhrg.gap.effects.jump import integrate_jump, make_bias_jump, make_step, parse_times
 from pyhrg.gap.evidence.jump_search import MOMENTS, find_jumps
 from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.whitening.whitening import NoiseModel
@@ -48,3 +49,17 @@ def test_noise_does_not_jump() -> None:
         bool(find_jumps([left(100 * k + i, f"{i}", 0 * TIME) for i in range(3)])) for k in range(40)
     ]
     assert sum(alarms) <= 2
+
+
+def test_a_jump_is_written_with_its_tests_and_times() -> None:
+    times = [("still", 1300.0), ("a second, at rest", 40.5)]
+    jump = make_bias_jump(times, 0.0)
+    assert parse_times(jump.function.removeprefix("bias: a jump ")) == times
+    names = [(c.name, c.basis.test) for c in list_coefficients(jump)]
+    assert names == [("bias_jump1_deg_h", "still"), ("bias_jump2_deg_h", "a second, at rest")]
+
+
+def test_a_step_of_the_pattern_has_no_place_in_a_class() -> None:
+    pattern, output = (make_step([("still", 3.0)], 0.0, kind) for kind in ("pattern", "output"))
+    assert list_coefficients(pattern) == ()
+    assert [c.name for c in list_coefficients(output)] == ["readout_jump1_arcsec"]

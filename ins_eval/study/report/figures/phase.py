@@ -22,16 +22,16 @@ TRUTH = 0.5
 
 def render_phase_diagram(data: StudyData) -> str:
     """Panels with common axes, and what they show."""
-    found = data.about.get(PHASE_KEY)
-    if not found:
+    diagram = data.about.get(PHASE_KEY)
+    if not diagram:
         return make_paragraph("This study has no gyros that are calibrated at the mean.")
-    rows = found["rows"]
+    rows = diagram["rows"]
     tests = list(dict.fromkeys(row["test"] for row in rows))
     lead = (
         "Linear model, no mounting, no accelerometers: percent of flights whose error each test "
-        f"predicts within a factor of {found['factor']:g}, in {found['hours']:g} h of steady "
+        f"predicts within a factor of {diagram['factor']:g}, in {diagram['hours']:g} h of steady "
         f"turning in heading ({rows[0]['triads']} triads, their maps scaled, from "
-        f"{found['start_angles']} start angles each; seed {data.about['seed']}). Fixed position "
+        f"{diagram['start_angles']} start angles each; seed {data.about['seed']}). Fixed position "
         "and circumference have the constant of the manoeuvre. Cells from "
         f"{TRUTH:.0%} on are framed. Dots: the missions of this study, by the pattern that turns "
         "most, with the median of its judged gyros."

@@ -7,11 +7,12 @@ from collections.abc import Mapping, Sequence
 from importlib.metadata import version
 from typing import Any
 
+from pyhrg.common.units import ARCSEC
 from pyhrg.device.device import Device
 from pyhrg.device.parameter_set import convert_value
 from pyhrg.gap.closing.equation.places import Acting, find_acting
 from pyhrg.gap.closing.equation.proposal import as_candidate, list_written
-from pyhrg.gap.effects.coordinates import HYSTERESIS_WIDTHS, THERMAL_LAGS
+from pyhrg.gap.effects.coordinates import BACKLASH_WIDTH, HYSTERESIS_WIDTHS, THERMAL_LAGS
 from pyhrg.gap.findings.term import Term
 
 CLASS = "closed"
@@ -62,6 +63,7 @@ COORDINATES = {
                      f"acceleration{a}/1.0") for a in "XYZ"},
 }  # fmt: skip
 """Type, meaning and equation of a coordinate's variable."""
+_HALF = BACKLASH_WIDTH / 2
 SAMPLED = {
     "slowWarmth": ("Temperature of the case behind a lag of 30 s, over 1 K",
                    "pre(slowWarmth) + (caseWarmth - pre(slowWarmth))"
@@ -76,11 +78,18 @@ SAMPLED = {
                          f"pre(lagging{lag}) + (caseWarmth - pre(lagging{lag}))"
                          f"*(1 - {math.exp(-0.01 / lag)!r}*pre(started))")
        for lag in THERMAL_LAGS},
+    "tablePlay": (f"Table angle behind a play of {BACKLASH_WIDTH / ARCSEC:g} arcsec, over 1 rad",
+                  f"tableAngle + pre(started)*(abs(pre(tablePlay) - tableAngle + {_HALF!r})"
+                  f" - abs(pre(tablePlay) - tableAngle - {_HALF!r}))/2"),
+    "tableDirection": ("Direction of the table's last motion, -1 to 1",
+                       f"(tableAngle - tablePlay)/{_HALF!r}"),
     "freeDecay": ("Logarithm of what such damping takes of the amplitude",
                   "pre(freeDecay) + 0.01*pre(started)*(1 - driveOn)*freeDamping"),
     "started": ("1 from the first sample on", "1"),
 }  # fmt: skip
 """Meaning and equation, every 10 ms, of variables with a memory; they are steady at power-on."""
+NEEDED = {"warming": ("caseWarmth", "slowWarmth"), "tableDirection": ("tableAngle", "tablePlay")}
+"""Other variables that such a variable needs."""
 TURNING = {
     "pickOff.turning": "gyro.controller.commandedTurn - (1 - gyro.controller.forceToRebalance)"
     "*2*gyro.controller.readout.bryanFactor*angularRate"
@@ -176,8 +185,7 @@ def _list_uses(terms: Sequence[Term], added: Sequence[str]) -> list[str]:
     """Names of all coordinates' variables that the terms need, in the order of the equations."""
     coefficients = [c for t in terms for c in list_written(t)]
     used = {name for c in coefficients for name in c.basis.uses}
-    if "warming" in used:
-        used |= {"caseWarmth", "slowWarmth"}
+    used |= {other for name in used & NEEDED.keys() for other in NEEDED[name]}
     if "freeDamping" in added:
         used.add("freeDecay")
     if used & SAMPLED.keys():
@@ -191,8 +199,9 @@ def _declare_parameters(term: Term) -> str:
     lines = []
     for c in list_written(term):
         value = term.parameters[c.name]
-        si = value * c.factor
-        meaning = f"Coefficient of {c.basis.text}: {c.name} = {value:.6g}"
+        si = 0.0 if c.basis.test else value * c.factor
+        where = " there, 0 else" if c.basis.test else ""
+        meaning = _plain(f"Coefficient of {c.basis.text}: {c.name} = {value:.6g}{where}")
         lines.append(
             f'  parameter HRG.Units.{_acting(term).type} {c.variable} = {si!r} "{meaning}";\n'
         )

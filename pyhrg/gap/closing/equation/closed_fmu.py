@@ -31,10 +31,13 @@ def load_closed_fmu(device: Device, terms: Iterable[Term]) -> GyroFmu:
     return GyroFmu(build_closed_fmu(write_class(plain, shapes, "Terms without sizes", ())))
 
 
-def put_terms(device: Device, terms: Iterable[Term]) -> Device:
-    """The device with the coefficients of terms, for an FMU that has these."""
+def put_terms(device: Device, terms: Iterable[Term], test: str = "") -> Device:
+    """The device with the coefficients of terms, for an FMU that has these. Jumps act in the test
+    in which they were found, and in no other one."""
     sizes = {
-        c.variable: term.parameters[c.name] * c.factor for term in terms for c in list_written(term)
+        c.variable: term.parameters[c.name] * c.factor * (c.basis.test in ("", test))
+        for term in terms
+        for c in list_written(term)
     }
     return replace(device, model={**device.model, **sizes})
 

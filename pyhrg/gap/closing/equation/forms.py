@@ -12,7 +12,8 @@ from typing import NamedTuple
 
 from pyhrg.common.units import DEG
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
-from pyhrg.gap.effects.coordinates import HYSTERESIS_WIDTHS, THERMAL_LAGS
+from pyhrg.gap.effects.coordinates import HYSTERESIS_WIDTHS, LAST_MOTION, THERMAL_LAGS
+from pyhrg.gap.effects.jump import parse_times
 
 FIRST_POWERS = {"temperature": "temperature^1", "time": "time since power-on"}
 """Functions by their names as the second of a product, where these differ."""
@@ -33,6 +34,7 @@ class Coordinate(NamedTuple):
 
 PATTERN = Coordinate("pattern", ())
 TABLE = Coordinate("tableAngle", ())
+DIRECTION = Coordinate("tableDirection", ())
 WARMTH = Coordinate("warmth", ("K", "K2", "K3"))
 CASE = Coordinate("caseWarmth", ("K",))
 WARMING = Coordinate("warming", ("K_min", "K2_min2"))
@@ -45,6 +47,7 @@ FORCES = {axis: Coordinate(f"force{axis.upper()}", _FORCE_UNITS) for axis in "xy
 COORDINATE_OF = {
     "pattern": "wave_angle",
     "tableAngle": "table_angle",
+    "tableDirection": "table_angle",
     "warmth": "temperature",
     "caseWarmth": "temperature",
     "warming": "temperature_rate",
@@ -68,6 +71,7 @@ class Basis:
     scale: the term's column over this function.
     per: suffix of the unit that the function has as a power of a coordinate; empty if none.
     uses: names of the coordinates' variables.
+    test: the only test in which it acts; empty where it acts in all.
     """
 
     stem: str
@@ -76,13 +80,16 @@ class Basis:
     scale: float
     per: str
     uses: tuple[str, ...]
+    test: str = ""
 
 
 def express_term(term: CandidateTerm) -> tuple[Basis, ...]:
     """Basis functions of a term in the order of its columns; none if it can't be written: a value
-    for each power-on."""
+    for each power-on, a step of the pattern."""
+    if term.function.startswith("pattern: "):
+        return ()
     bases = _express(re.sub("^[a-z -]+: ", "", term.function))
-    return _count_from_start(bases) if term.is_encoder_error else bases
+    return _count_from_start(*bases) if term.is_encoder_error and len(bases) > 1 else bases
 
 
 def _express(function: str) -> tuple[Basis, ...]:
@@ -100,9 +107,8 @@ def express_second(term: CandidateTerm) -> Basis:
     return basis
 
 
-def _count_from_start(bases: tuple[Basis, ...]) -> tuple[Basis, ...]:
+def _count_from_start(cosine: Basis, sine: Basis) -> tuple[Basis, ...]:
     """Cosine and sine of the table angle less their values at its start, which is 0."""
-    cosine, sine = bases
     text, modelica = f"({cosine.text} - 1)", f"({cosine.modelica} - 1)"
     return replace(cosine, text=text, modelica=modelica), sine
 
@@ -128,6 +134,20 @@ def _cycle(harmonic: int, period: str) -> tuple[Basis, ...]:
         Basis(f"{f}{stem}", f"{f}({text})", f"{f}({phase})", 1.0, "", ("hours",))
         for f in ("cos", "sin")
     )
+
+
+def _change(words: str) -> tuple[Basis, ...]:
+    """Unit steps at the times of a jump, each in its test alone; no relations, which would be
+    events."""
+
+    def step(number: int, test: str, time: float) -> Basis:
+        late = f"(hours*3600 - {time!r})"
+        modelica = f"(1 + {late}/(abs({late}) + 1e-9))/2"
+        return Basis(
+            f"jump{number}", f"[t >= {time:g} s in {test}]", modelica, 1.0, "", ("hours",), test
+        )
+
+    return tuple(step(number, *change) for number, change in enumerate(parse_times(words), 1))
 
 
 def _power(coordinate: Coordinate, stem: str, power: int, unit_scale: float) -> Basis:
@@ -199,6 +219,8 @@ _FORMS: tuple[tuple[str, Callable[[Match], tuple[Basis, ...]]], ...] = (
     (r"harmonic (\d+) of the pattern angle", lambda m: _angle(PATTERN, int(m[1]))),
     (r"harmonic (\d+) of a period of (.*) s", lambda m: _cycle(int(m[1]), m[2])),
     (r"harmonic (\d+) of the table angle", lambda m: _angle(TABLE, int(m[1]))),
+    ("a (?:jump|step) (at .*)", lambda m: _change(m[1])),
+    (LAST_MOTION, lambda m: (_single(DIRECTION, "last_motion", DIRECTION.name, 1.0, ""),)),
     (r"temperature\^(\d)", lambda m: (_power(WARMTH, "temperature", int(m[1]), _TENTH),)),
     ("temperature of the case", lambda m: (_power(CASE, "case_temperature", 1, _TENTH),)),
     (r"temperature with a hysteresis of (\d+) K",

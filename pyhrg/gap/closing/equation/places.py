@@ -34,6 +34,7 @@ READOUT = Acting("readout", "readout", "Angle", "arcsec", ARCSEC, (("addedAngle"
 BY_PREFIX = {
     "bias": BIAS,
     "angle": READOUT,
+    "output alone": READOUT,
     "pick-off": Acting(
         "pickoff", "pickoff", "Angle", "arcsec", ARCSEC,
         (("addedAngle", ""), ("addedRate", GROWTH)),

@@ -60,7 +60,7 @@ def refine_terms(
             fmu = load_closed_fmu(attribution.device, terms)
         for i in find_moved_tests(first, sizes, attribution.channel_noise):
             part = first[i]
-            ends = put_terms(part.device, terms), part.device
+            ends = put_terms(part.device, terms, part.test.test.id), part.device
             on, off = replay_sampled_together(fmu, ends, part.test.inputs)
             answers = add_channels(part.simulated, {name: on[name] - off[name] for name in off})
             parts[i] = _linearize(simulation, attribution.nominal, part, answers, sizes)
@@ -137,8 +137,8 @@ def _linearize(
         turned = turned - values @ sizes[term] if term in sizes else turned
     for channel in residual:
         if channel != "gyro_angle":
-            slope = around.bryan_factor * around.slopes[channel]
-            residual[channel] = residual[channel] - slope * turned
+            turning = around.at_measured_angle(np.zeros((len(turned), 1)), turned[:, None], channel)
+            residual[channel] = residual[channel] - turning[:, 0]
     return replace(around, residual=residual, simulated=part.simulated)
 
 

@@ -7,8 +7,7 @@ from dataclasses import dataclass, replace
 from pyhrg.common.units import ARCSEC, DEG_PER_H
 from pyhrg.gap.effects.catalogue import NoiseEffect
 from pyhrg.gap.evidence.evidence import UNNAMED_ODDS
-from pyhrg.gap.evidence.noise.noise_levels import fit_level, log_likelihood
-from pyhrg.gap.evidence.residuals import Residual
+from pyhrg.gap.evidence.noise.noise_levels import Likelihood, fit_level
 from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel
 
 NORMAL_95 = 1.96
@@ -86,12 +85,12 @@ class NoiseHypothesis:
 
 
 def fit_unnamed_noise(
-    residuals: Sequence[Residual], bases: Sequence[tuple[NoiseModel, float]]
+    likelihood: Likelihood, bases: Sequence[tuple[NoiseModel, float]]
 ) -> UnnamedNoise:
     """The most probable unnamed noise beside one of some noises with their log priors; its log odds
     are log likelihood plus log prior."""
     candidates = [
-        _fit_lag(residuals, noise, log_prior, of_rate, lag)
+        _fit_lag(likelihood, noise, log_prior, of_rate, lag)
         for noise, log_prior in bases
         for of_rate, lags in ((True, RATE_LAGS), (False, ANGLE_LAGS))
         for lag in lags
@@ -100,7 +99,7 @@ def fit_unnamed_noise(
 
 
 def _fit_lag(
-    residuals: Sequence[Residual],
+    likelihood: Likelihood,
     base: NoiseModel,
     base_log_prior: float,
     of_rate: bool,
@@ -111,7 +110,7 @@ def _fit_lag(
 
     def gain(logarithm: float) -> float:
         correlated = CorrelatedNoise(math.exp(logarithm), lag, of_rate)
-        return log_likelihood(residuals, replace(base, correlated=correlated)) + base_log_prior
+        return likelihood(replace(base, correlated=correlated)) + base_log_prior
 
     level = fit_level(gain, scale)
     log_prior = level.log_prior(UNNAMED_ODDS / (len(RATE_LAGS) + len(ANGLE_LAGS)))

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache, partial
 
 import numpy as np
 from scipy.optimize import minimize_scalar
@@ -10,6 +11,9 @@ from scipy.optimize import minimize_scalar
 from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.whitening.whitening import NoiseModel, whiten
 from pyhrg.noise.coefficients import COEFFICIENT_NAMES
+
+Likelihood = Callable[[NoiseModel], float]
+"""Log likelihood by the noise, up to a constant."""
 
 LEVEL_RANGE = (1e-3, 1e3)
 """Range of an added noise's level over its typical one; its prior is flat in the logarithm between.
@@ -35,6 +39,11 @@ def are_equal(noise: NoiseModel, other: NoiseModel) -> bool:
         pairs.append((noise.correlated.level, other.correlated.level))
     kinds = [n.correlated and n.correlated.kind for n in (noise, other)]
     return kinds[0] == kinds[1] and all(abs(a - b) <= LEVEL_TOLERANCE * max(a, b) for a, b in pairs)
+
+
+def build_likelihood(residuals: Sequence[Residual]) -> Likelihood:
+    """Log likelihood of these residuals; searches ask for it again at the same levels."""
+    return cache(partial(log_likelihood, residuals))
 
 
 def log_likelihood(residuals: Sequence[Residual], noise: NoiseModel) -> float:

@@ -15,11 +15,10 @@ from pyhrg.gap.effects.catalogue import NoiseEffect
 from pyhrg.gap.evidence.evidence import NOISE_ODDS
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise
 from pyhrg.gap.evidence.noise.noise_levels import (
+    Likelihood,
     are_equal,
     fit_level,
-    log_likelihood,
 )
-from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.whitening.whitening import NoiseModel
 from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
@@ -39,9 +38,10 @@ DEVIATION_PRECISION = 0.02
 
 @dataclass(frozen=True)
 class NoisePosterior:
-    """Posterior density of noises, given residuals of the output angle and the stated noise."""
+    """Posterior density of noises, given the likelihood of residuals of the output angle and the
+    stated noise."""
 
-    residuals: Sequence[Residual]
+    likelihood: Likelihood
     stated: NoiseModel
 
     def adjust_levels(self, added: Sequence[AddedNoise]) -> NoiseModel:
@@ -53,7 +53,7 @@ class NoisePosterior:
 
             def misfit(x: float, part: str = part, noise: NoiseModel = noise) -> float:
                 level = getattr(self.stated, part) * math.exp(TOLERANCE * x)
-                return x**2 / 2 - log_likelihood(self.residuals, noise.at(part, level))
+                return x**2 / 2 - self.likelihood(noise.at(part, level))
 
             bounds, options = (-MAX_DEVIATION, MAX_DEVIATION), {"xatol": DEVIATION_PRECISION}
             best = float(minimize_scalar(misfit, bounds=bounds, options=options).x)
@@ -80,7 +80,7 @@ class NoisePosterior:
 
     def log_density(self, noise: NoiseModel, added: Sequence[AddedNoise], part: str = "") -> float:
         """Log likelihood plus log prior of the stated levels; arguments as of `log_prior`."""
-        return log_likelihood(self.residuals, noise) + self.log_prior(noise, added, part)
+        return self.likelihood(noise) + self.log_prior(noise, added, part)
 
     def fit_best(
         self, noise: NoiseModel, added: Sequence[AddedNoise], effects: Sequence[NoiseEffect]

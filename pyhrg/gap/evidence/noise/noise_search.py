@@ -11,7 +11,7 @@ from pyhrg.gap.evidence.noise.noise_hypothesis import (
     UnnamedNoise,
     fit_unnamed_noise,
 )
-from pyhrg.gap.evidence.noise.noise_levels import log_likelihood
+from pyhrg.gap.evidence.noise.noise_levels import build_likelihood
 from pyhrg.gap.evidence.noise.noise_posterior import NoisePosterior
 from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.whitening.whitening import NoiseModel
@@ -22,28 +22,26 @@ def fit_rival_noises(
     residuals: Sequence[Residual], stated: NoiseModel, noises: Sequence[NoiseEffect]
 ) -> list[NoiseHypothesis]:
     """The most probable noise, from the residual of the output angle in each test: noises of the
-    catalogue beyond the stated noise, or an unnamed one with or without them. After one with an
-    unnamed noise, that of the catalogue's noises alone."""
-    plain = _assemble(residuals, stated, _find_named(residuals, stated, noises), None)
+    catalogue beyond the stated noise, or an unnamed one with or without them. Then the same without
+    each of its noises, and after one with an unnamed noise that of the catalogue's noises alone."""
+    likelihood = build_likelihood(residuals)
+    posterior = NoisePosterior(likelihood, stated)
+    plain = _assemble(posterior, _find_named(posterior, noises))
     bases = [(plain.noise, plain.log_prior)] + ([(stated, 0.0)] if plain.added else [])
-    unnamed = fit_unnamed_noise(residuals, bases)
-    named = _find_named(residuals, unnamed.add_to(stated), noises)
-    rival = _assemble(residuals, stated, named, unnamed)
-    log_odds = _log_posterior(residuals, rival) - _log_posterior(residuals, plain)
+    unnamed = fit_unnamed_noise(likelihood, bases)
+    beside = NoisePosterior(likelihood, unnamed.add_to(stated))
+    rival = _assemble(beside, _find_named(beside, noises), unnamed)
+    log_odds = likelihood(rival.noise) + rival.log_prior
+    log_odds -= likelihood(plain.noise) + plain.log_prior
     if log_odds <= 0:
-        return [plain]
-    return [replace(rival, unnamed=replace(unnamed, log_odds=log_odds)), plain]
+        return [plain, *_drop_each(posterior, plain.added)]
+    best = replace(rival, unnamed=replace(unnamed, log_odds=log_odds))
+    fewer = _drop_each(beside, best.added, best.unnamed)
+    return [best, *fewer, _assemble(posterior, best.added), plain]
 
 
-def _log_posterior(residuals: Sequence[Residual], hypothesis: NoiseHypothesis) -> float:
-    return log_likelihood(residuals, hypothesis.noise) + hypothesis.log_prior
-
-
-def _find_named(
-    residuals: Sequence[Residual], stated: NoiseModel, noises: Sequence[NoiseEffect]
-) -> tuple[AddedNoise, ...]:
+def _find_named(posterior: NoisePosterior, noises: Sequence[NoiseEffect]) -> tuple[AddedNoise, ...]:
     """Noises of the catalogue, added one by one while the odds are for the best of them."""
-    posterior = NoisePosterior(residuals, stated)
     added: list[AddedNoise] = []
     for _ in COEFFICIENT_NAMES:
         candidates = posterior.fit_best(posterior.adjust_levels(added), added, noises)
@@ -54,24 +52,21 @@ def _find_named(
     return tuple(added)
 
 
-def drop_each_noise(
-    hypothesis: NoiseHypothesis, residuals: Sequence[Residual], stated: NoiseModel
+def _drop_each(
+    posterior: NoisePosterior, added: tuple[AddedNoise, ...], unnamed: UnnamedNoise | None = None
 ) -> list[NoiseHypothesis]:
-    """Hypotheses without one of the noises of one fitted to these residuals, one for each noise."""
-    named, unnamed = hypothesis.added, hypothesis.unnamed
-    fewer = [(tuple(a for a in named if a is not dropped), unnamed) for dropped in named]
-    fewer += [(named, None)] if unnamed else []
-    return [_assemble(residuals, stated, *kept) for kept in fewer]
+    """Hypotheses without one of the added noises, one for each."""
+    fewer = [tuple(a for a in added if a is not dropped) for dropped in added]
+    return [_assemble(posterior, kept, unnamed) for kept in fewer]
 
 
 def _assemble(
-    residuals: Sequence[Residual],
-    stated: NoiseModel,
+    posterior: NoisePosterior,
     added: tuple[AddedNoise, ...],
-    unnamed: UnnamedNoise | None,
+    unnamed: UnnamedNoise | None = None,
 ) -> NoiseHypothesis:
-    """A hypothesis of these noises, with the stated levels adjusted beside them."""
-    posterior = NoisePosterior(residuals, unnamed.add_to(stated) if unnamed else stated)
+    """A hypothesis of these noises, with the stated levels adjusted beside them. An unnamed one is
+    part of the posterior's stated noise."""
     noise = posterior.adjust_levels(added)
     log_prior = sum(a.log_prior for a in added) + posterior.log_prior(noise, added)
     return NoiseHypothesis(
@@ -89,7 +84,7 @@ def find_noise_equivalents(
     filled in."""
     if hypothesis.unnamed:
         stated = hypothesis.unnamed.add_to(stated)
-    posterior = NoisePosterior(residuals, stated)
+    posterior = NoisePosterior(build_likelihood(residuals), stated)
     added = []
     for noise in hypothesis.added:
         others = [a for a in hypothesis.added if a != noise]

@@ -9,7 +9,7 @@ import numpy as np
 from pyhrg.common.units import ARCSEC
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import NOISE_EFFECTS, NOISES, NoiseEffect
-from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise, NoiseHypothesis
+from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.reading_noise import REST_RATE
 
@@ -27,40 +27,28 @@ MIN_PHASOR = 0.98
 """Least length of the mean phasor (Eq. (18)) of angles on a lattice. Chosen."""
 MAX_COUNT = 20
 """Largest second difference, in steps, that is used to fit the step. Chosen."""
-COARSE_RATIO = 2.0
-"""Ratio of the quantization step to the white noise of a reading above which the quantization error
-repeats with the angle. Below it the repeating part is less than exp(-2 pi^2 / ratio^2) = 0.7 % of a
-step. Chosen."""
 STEP_TOLERANCE = 0.05
 """A stated step that differs from the estimated one by less than this share is no gap. Chosen."""
 
 
-def add_quantization(
-    hypothesis: NoiseHypothesis,
+def find_quantization(
     tests: Sequence[ObservedTest],
     stated_step: float,
     noises: Sequence[NoiseEffect] = NOISES,
-) -> NoiseHypothesis:
-    """The hypothesis with the quantization of the output, where there is one in these tests that is
-    not stated, rad (0: none). It replaces added white noise and unnamed noise of the angle, which
-    stood in for it."""
+) -> AddedNoise | None:
+    """The quantization of the output, where there is one in these tests that is not stated, rad (0:
+    none). The readings show it whatever the effects are, so that it is no matter of odds."""
     step = find_quantization_step(tests) if QUANTIZATION in noises else None
     if step is None or abs(step[0] - stated_step) < STEP_TOLERANCE * stated_step:
-        return hypothesis
+        return None
     value, sigma = step
     ends = (value - NORMAL_95 * sigma, value + NORMAL_95 * sigma)
-    others = [added for added in hypothesis.added if added.effect.name != "angle_white_noise"]
-    unnamed = hypothesis.unnamed
-    of_rate = unnamed if unnamed and unnamed.correlated.of_rate else None
-    quantization = AddedNoise(QUANTIZATION, value, ends, math.inf, 0.0)
-    return replace(hypothesis, added=(*others, quantization), unnamed=of_rate)
+    return AddedNoise(QUANTIZATION, value, ends, math.inf, 0.0)
 
 
-def is_coarsely_quantized(hypothesis: NoiseHypothesis, nominal: Device) -> bool:
-    """Whether the quantization step is so large beside the noise of a reading that the quantization
-    error repeats with the angle, and is no noise."""
-    steps = [added.total for added in hypothesis.added if added.effect is QUANTIZATION]
-    return max(steps, default=nominal.quantization_step) > COARSE_RATIO * nominal.angle_white_noise
+def put_quantization(device: Device, quantization: AddedNoise | None) -> Device:
+    """The device with this quantization of its output."""
+    return replace(device, quantization_step=quantization.total) if quantization else device
 
 
 def find_quantization_step(tests: Sequence[ObservedTest]) -> tuple[float, float] | None:

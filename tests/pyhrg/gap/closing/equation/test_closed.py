@@ -10,15 +10,16 @@ import numpy as np
 import pytest
 
 from fmu_build import build_fmu, check_fmu
-from pyhrg.common.units import ARCSEC, DEG
+from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H
 from pyhrg.gap.closing.equation.closed_class import write_class
-from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu
+from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu, put_terms
 from pyhrg.gap.closing.equation.places import find_acting
 from pyhrg.gap.closing.equation.proposal import Coefficient, list_coefficients
 from pyhrg.gap.closing.prediction import predict
 from pyhrg.gap.diagnose import CampaignDiagnosis, diagnose
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Catalogue
+from pyhrg.gap.effects.jump import make_bias_jump
 from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 from pyhrg.gap.findings.term import Formula, Term
@@ -28,6 +29,7 @@ from tests.pyhrg.gap.closing.equation.planted import COS6, SIN6, record_sixth_ha
 from tests.pyhrg.gap.soundness.conftest import NOMINAL
 from tests.pyhrg.gap.test_diagnose import FEW, tiny
 
+JUMP_TIME = 30.0
 AGREEMENT = 0.05 * ARCSEC
 """Largest difference of two runs of one gyro."""
 
@@ -129,7 +131,7 @@ def test_every_candidate_term_can_be_written_at_once(
     diagnosed: CampaignDiagnosis, simulation: Simulation
 ) -> None:
     """All terms at once build, beside errors of the pick-offs and a mode that is a whole number;
-    without sizes they change nothing."""
+    without sizes they change nothing. A jump acts in its own test, from its time on."""
     device = replace(NOMINAL, pickoff_nonorthogonality=1e-4, time_division=1)
     part = diagnosed.attribution.parts[-1]
     terms = {}
@@ -139,6 +141,8 @@ def test_every_candidate_term_can_be_written_at_once(
             assert len(own) == (0 if candidate.is_of_each_power_on else columns.shape[1])
             if own:
                 terms[candidate] = _make_term(candidate, own)
+    jump = make_bias_jump([("ride", JUMP_TIME)], 0.0)
+    terms[jump] = _make_term(jump, list_coefficients(jump))
     names = [name for term in terms.values() for name in term.parameters]
     assert len(names) == len(set(names))
     everything = load_closed_fmu(device, list(terms.values()))
@@ -146,7 +150,19 @@ def test_every_candidate_term_can_be_written_at_once(
     same = replay_sampled(everything, device, part.test.inputs)
     for channel in CHANNELS:
         np.testing.assert_allclose(same[channel], plain[channel], rtol=0, atol=1e-15)
-    assert "parameter" in write_class(device, list(terms.values()), "All", ())
+    size = {"bias_jump1_deg_h": 1.0}
+    jumped = replace(terms[jump], parameters=size)
+    turned = [
+        replay_sampled(everything, put_terms(device, [jumped], test), part.test.inputs)
+        for test in ("ride", "still")
+    ]
+    expected = DEG_PER_H * np.maximum(part.test.log.time - JUMP_TIME, 0.0)
+    added = turned[0]["gyro_angle"] - turned[1]["gyro_angle"]
+    np.testing.assert_allclose(added, expected, rtol=0.02, atol=DEG_PER_H)
+    np.testing.assert_array_equal(turned[1]["gyro_angle"], same["gyro_angle"])
+    written = write_class(device, [jumped], "All", ())
+    assert "biasJump1 = 0.0" in written
+    assert "bias_jump1_deg_h = 1 there, 0 else" in written
 
 
 def _make_term(candidate: CandidateTerm, own: Sequence[Coefficient]) -> Term:

@@ -28,6 +28,7 @@ def _evaluate(modelica: str, where: Coordinates) -> np.ndarray:
     variables = {
         "pattern": where.pattern_angle,
         "tableAngle": where.table_angle,
+        "tableDirection": where.table_direction[:, 0],
         "warmth": where.resonator,
         "caseWarmth": where.case,
         "warming": where.case_rate * 60,

@@ -7,15 +7,13 @@ import pytest
 
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H
 from pyhrg.device.device import Device
-from pyhrg.gap.effects.catalogue import NOISES
-from pyhrg.gap.evidence.noise.noise_hypothesis import AddedNoise, NoiseHypothesis
 from pyhrg.gap.evidence.noise.quantization import (
-    add_quantization,
+    find_quantization,
     find_quantization_step,
-    is_coarsely_quantized,
+    put_quantization,
 )
 from pyhrg.gap.replay.observations import ObservedTest, observe_test
-from pyhrg.gap.whitening.whitening import NoiseModel
+from pyhrg.gap.whitening.smoothing import is_coarsely_quantized
 from pyhrg.records.campaign import Test
 from tests.pyhrg.records.made_up import made_up_log
 
@@ -60,24 +58,19 @@ def test_a_change_of_rate_is_no_step() -> None:
     assert find_quantization_step([at_rest(0.0, jump=15 * ARCSEC)] * 2) is None
 
 
-def test_a_step_replaces_the_white_noise_that_stood_in_for_it() -> None:
-    white = next(noise for noise in NOISES if noise.name == "angle_white_noise")
-    level = 0.1 * ARCSEC
-    found = NoiseHypothesis(
-        NoiseModel(level), (AddedNoise(white, level, (level, level), 9.0, -5.0),)
-    )
+def test_a_step_that_is_stated_is_no_gap() -> None:
     step = 0.3 * ARCSEC
-    (added,) = add_quantization(found, [at_rest(step)], 0.0).added
-    assert added.effect.name == "angle_quantisation"
-    assert added.interval[0] < step < added.interval[1]
-    assert add_quantization(found, [at_rest(step)], step) == found
-    assert add_quantization(found, [at_rest(0.0)], 0.0) == found
+    found = find_quantization([at_rest(step)], 0.0)
+    assert found is not None
+    assert found.effect.name == "angle_quantisation"
+    assert found.interval[0] < step < found.interval[1]
+    assert find_quantization([at_rest(step)], step) is None
+    assert find_quantization([at_rest(step)], 0.0, []) is None
+    assert find_quantization([at_rest(0.0)], 0.0) is None
 
 
-@pytest.mark.parametrize(("arcsec", "rough"), [(0.0, False), (0.07, False), (0.1, True)])
-def test_a_step_of_more_than_twice_the_noise_is_coarse(arcsec: float, rough: bool) -> None:
+@pytest.mark.parametrize(("arcsec", "is_coarse"), [(0.0, False), (0.07, False), (0.1, True)])
+def test_a_step_of_more_than_twice_the_noise_is_coarse(arcsec: float, is_coarse: bool) -> None:
     device = Device(angle_white_noise=0.04 * ARCSEC)
-    found = add_quantization(NoiseHypothesis(NoiseModel(1.0), ()), [at_rest(arcsec * ARCSEC)], 0.0)
-    assert is_coarsely_quantized(found, device) == rough
-    nominal = replace(device, quantization_step=arcsec * ARCSEC)
-    assert is_coarsely_quantized(NoiseHypothesis(NoiseModel(1.0), ()), nominal) == rough
+    found = find_quantization([at_rest(arcsec * ARCSEC)], 0.0)
+    assert is_coarsely_quantized(put_quantization(device, found)) == is_coarse

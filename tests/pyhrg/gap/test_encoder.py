@@ -1,0 +1,38 @@
+"""Errors of the table's encoder: a ripple that it does not show, and the backlash of its drive."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pyhrg.challenge.truths.form import apply_play
+from pyhrg.common.units import ARCSEC
+from pyhrg.gap.diagnose import diagnose
+from pyhrg.gap.effects.coordinates import LAST_MOTION
+from pyhrg.gap.replay.simulation import Simulation
+from pyhrg.records import Log, campaign
+from tests.pyhrg.gap.soundness.spoil import change_logs
+
+BACKLASH = 1.2 * ARCSEC
+"""Turn of the table by which the encoder stands still after each reversal."""
+
+
+def test_ripple_and_backlash_are_told_apart(
+    simulation: Simulation, recorded_campaign: Path
+) -> None:
+    def misread(log: Log) -> Log:
+        ripple = np.sin(3 * log.table_angle + 0.7) - np.sin(0.7)
+        turned = np.append(0.0, log.table_angle + 0.5 * ARCSEC * ripple)
+        return replace(log, table_angle=apply_play(turned, BACKLASH)[1:])
+
+    given = campaign.read_campaign(recorded_campaign.parent / "lab-04")
+    found = diagnose(change_logs(given, misread), simulation=simulation).diagnosis
+    assert found.verdict == "unexplained"
+    (cause,) = found.causes
+    assert (cause.effect, cause.family) == ("table_ripple", "bench")
+    assert cause.parameters == {"table_ripple_3_arcsec": pytest.approx(0.5, abs=0.02)}
+    assert {(term.place, *term.coordinates) for term in found.terms} == {("bench", "table_angle")}
+    (backlash,) = (term for term in found.terms if term.function == f"angle: {LAST_MOTION}")
+    low, high = backlash.interval_95["readout_last_motion_arcsec"]
+    assert 0.4 < low < BACKLASH / ARCSEC / 2 < high < 0.8

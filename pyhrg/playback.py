@@ -58,8 +58,10 @@ OUTPUTS_AT_END = {
     "pattern_angle": "patternAngle",
     "amplitude": "amplitude",
     "quadrature": "quadrature",
+    "map_followed": "mapFollowed",
 }
-"""The FMU's names of the outputs that are read at the end of each row, by their name in results."""
+"""The FMU's names of the outputs that are read at the end of each row, by their name in results.
+HRGSelfCorrecting alone has the last."""
 OUTPUTS_AVERAGED = {
     "amplitude_force": "amplitudeForce",
     "quadrature_force": "quadratureForce",
@@ -67,8 +69,6 @@ OUTPUTS_AVERAGED = {
     "valid": "valid",
 }
 """The FMU's names of the outputs that are averaged over each row, by their name in results."""
-OWN_OUTPUTS_AT_END = {"map_followed": "mapFollowed"}
-"""Outputs that only a self-correcting gyro has, likewise."""
 MODELS = {**ROOTS, "HRGSelfCorrecting": PARTS["HRGSelfCorrecting"]}
 """The gyros that are simulated, by the names of their FMUs."""
 MAX_SEED = 2**31 - 1
@@ -109,8 +109,7 @@ def simulate(
         temperature_degC: temperature of the case; the device's reference temperature if None.
         pattern_angle_deg: physical pattern angle at power-on; the device's if None.
         seed: seed of noise and of turn-on scatter, 0 to 2^31 - 1. None simulates neither.
-        model: FMU to run: HRG, HRGCarrier, HRGSlow with quasi-steady loops, or HRGSelfCorrecting, a
-            device with the parameters of `prepare_estimator`.
+        model: FMU to run: HRG, HRGCarrier, HRGSlow (quasi-steady loops), or HRGSelfCorrecting.
         step_s: communication step; the model's own if None.
         inputs: other inputs of the FMU: `acceleration_x_m_s2`, `acceleration_y_m_s2`,
             `acceleration_z_m_s2`, `virtual_rotation_deg_per_s`, `amplitude_setpoint`,
@@ -118,14 +117,12 @@ def simulate(
             feels gravity, whose level part is along x, and no command; the drive is on.
 
     Returns:
-        The FMU's outputs over `time`, the end of each row (s). Angles, rate, amplitude and
-        quadrature are those at the end of a row; forces, frequency and validity are means over
-        it. A self-correcting gyro has `map_followed` besides, 1 while it follows its estimate.
-        Attributes of each: `units` (SI), `long_name`, `cell_methods`.
+        The FMU's outputs over `time`, the end of each row (s). Angles, rate, amplitude, quadrature
+        (and `map_followed` of HRGSelfCorrecting) are those at the end of a row; forces, frequency
+        and validity are means over it. Attributes: `units` (SI), `long_name`, `cell_methods`.
 
     Raises:
-        HrgError: an argument can't be used (the message names it); no such device; the FMU can't be
-            built or refuses a value.
+        HrgError: an argument or device can't be used, or the FMU can't be built or refuses a value.
     """
     gyro = device if isinstance(device, Device) else load_device(device)
     rows = _make_rows(duration_s, interval_s, step_s, model)
@@ -135,12 +132,12 @@ def simulate(
     parameters, angle = _draw_power_on(fmu, gyro, pattern_angle_deg, seed)
     first = {name: float(values.flat[0]) for name, values in {**moving, **held}.items()}
     period = {} if fmu.is_sampled else {"samplePeriod": rows.step}
-    at_end = _list_outputs_at_end(fmu)
+    at_end = {name: own for name, own in OUTPUTS_AT_END.items() if own in fmu.references}
     with fmu.power_on({**parameters, **period, **first}, seed or 0, angle) as on:
         ends, means = on.record(
             moving, held, rows.step, list(at_end.values()), list(OUTPUTS_AVERAGED.values())
         )
-    outputs = _label_outputs(fmu, rows, ends, means)
+    outputs = _label_outputs(fmu, rows, at_end, ends, means)
     attributes = {"device": gyro.name, "model": model, "pattern_angle_at_power_on": angle}
     return outputs.assign_attrs(attributes, seed="none" if seed is None else seed)
 
@@ -281,17 +278,13 @@ def _draw_power_on(
     return {name: v for name, v in values.items() if name not in missing}, angle
 
 
-def _list_outputs_at_end(fmu: GyroFmu) -> dict[str, str]:
-    own = {name: own for name, own in OWN_OUTPUTS_AT_END.items() if own in fmu.references}
-    return {**OUTPUTS_AT_END, **own}
-
-
-def _label_outputs(fmu: GyroFmu, rows: _Rows, ends: Array, means: Array) -> xr.Dataset:
+def _label_outputs(
+    fmu: GyroFmu, rows: _Rows, at_end: Mapping[str, str], ends: Array, means: Array
+) -> xr.Dataset:
     time = np.arange(1, rows.n + 1) * rows.interval
     about_time = {"units": "s", "long_name": "time since power-on, at the end of the row"}
     dataset = xr.Dataset(coords={"time": ("time", time, about_time)})
     variables = {v.name: v for v in fmu.description.modelVariables}
-    at_end = _list_outputs_at_end(fmu)
     names = {**at_end, **OUTPUTS_AVERAGED}
     for (name, fmu_name), column in zip(names.items(), [*ends.T, *means.T], strict=True):
         attributes = {

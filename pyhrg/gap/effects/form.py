@@ -62,9 +62,11 @@ class Form(CandidateTerm):
         if not self.is_multiple:
             limited = np.clip(bent / self.reach, -1, 1)
             return np.asarray(block / self.largest * polyval(limited, self.polynomial))
-        values = block / self.largest
-        length, angle = np.hypot(*values.T), self.degree * np.arctan2(values[:, 1], values[:, 0])
-        return np.column_stack([length * np.cos(angle), length * np.sin(angle)])
+        harmonic = (block[:, 0] + 1j * block[:, 1]) / self.largest
+        length = np.abs(harmonic)
+        unit = np.divide(harmonic, length, out=np.zeros_like(harmonic), where=length > 0)
+        multiple = length * unit**self.degree
+        return np.column_stack([multiple.real, multiple.imag])
 
 
 def get_bent(term: CandidateTerm, block: Array, where: Coordinates) -> Array:

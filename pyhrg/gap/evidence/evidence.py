@@ -90,7 +90,8 @@ def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
     has none."""
     if not groups:
         return Fit((), 0.0, 0.0, (), ())
-    if any(design.namesakes.get(g) in groups for g in groups if isinstance(g, Effect)):
+    same = design.namesakes
+    if any(same[g] in groups for g in groups if isinstance(g, Effect) and g in same):
         return None
     groups = sorted(groups, key=lambda group: isinstance(group, CandidateTerm))
     ends = list(accumulate(len(design.columns[group]) for group in groups))

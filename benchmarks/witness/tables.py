@@ -80,9 +80,10 @@ def make_tables(flights: pd.DataFrame) -> Iterator[str]:
         yield f"**Rows of docs/witness-flown.csv, {calibration} calibration.** {_count(rows)}"
         yield _tabulate_classes(rows)
         yield from _tabulate_all(rows)
-    for calibration, rows in flights[sealed].groupby("calibration"):
-        yield f"**With forms outside the model, {calibration} calibration.** {_count(rows)}"
-        yield _tabulate_sealed(rows)
+    for (calibration, name), rows in flights[sealed].groupby(["calibration", "mission_class"]):
+        if rows["triad"].nunique() >= LEAST:
+            yield f"**Forms outside the model, {calibration} calibration, {name}.** {_count(rows)}"
+            yield _tabulate_sealed(rows)
 
 
 def _count(rows: pd.DataFrame) -> str:
@@ -125,11 +126,11 @@ def _tabulate_all(rows: pd.DataFrame) -> Iterator[str]:
 
 
 def _tabulate_sealed(rows: pd.DataFrame) -> str:
-    """Errors of corrected flights over those of the uncorrected ones, and how many gyros' logs are
-    followed."""
+    """Errors of corrected flights in one mission over those of the uncorrected ones, and how many
+    gyros' logs are followed."""
     lines = []
     for test, part in rows.groupby("self_test_s"):
-        table = part.sort_values(["triad", "mission"])
+        table = part.sort_values("triad")
         for title, name in SEALED.items():
             ratios = _compute_sizes(table, name) / _compute_sizes(table, "flown")
             worst = bootstrap(compute_worst_tenth, [ratios], SEED)
@@ -148,9 +149,9 @@ def _tabulate_sealed(rows: pd.DataFrame) -> str:
 
 
 def _compute_sizes(table: pd.DataFrame, name: str) -> Array:
-    """(r, m) horizontal errors of r triads in m missions, m."""
+    """(r, 1) horizontal errors of r triads in one mission, m."""
     sizes = np.hypot(table[f"{name}_north_m"], table[f"{name}_east_m"]).to_numpy()
-    return np.asarray(sizes.reshape(-1, table["mission"].nunique()))
+    return np.asarray(sizes.reshape(-1, 1))
 
 
 def _index(scores: Sequence[WitnessScore]) -> dict[tuple[float, str, str], WitnessScore]:

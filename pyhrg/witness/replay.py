@@ -279,6 +279,12 @@ def _correct(
     per_kelvin = device.frequency * device.frequency_per_kelvin
     if not per_kelvin:
         return Course(course.start + float(error[0]), rate, course.temperature)
-    width = max(1, round(SMOOTHING / interval))
-    warmer = uniform_filter1d(frequency_error, width, mode="nearest") / per_kelvin
+    warmer = smooth_errors(frequency_error, interval) / per_kelvin
     return Course(course.start + float(error[0]), rate, course.temperature + warmer)
+
+
+def smooth_errors(values: Array, interval: float) -> Array:
+    """(n,) values, averaged twice over half of `SMOOTHING` and reflected at the ends. No line
+    changes its sign by that, so that rounds converge at every frequency."""
+    width = 2 * round(SMOOTHING / interval / 4) + 1
+    return np.asarray(uniform_filter1d(uniform_filter1d(values, width), width))

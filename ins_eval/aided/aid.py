@@ -76,13 +76,13 @@ def aid(
     arm = np.array([check_number("lever_arm_m", x, -LONGEST_ARM, LONGEST_ARM) for x in lever_arm_m])
     held = check_number("hold_out_h", hold_out_h, 0.0, 24.0) * HOUR
     maps = _read_bench(bench, bench_drift)
-    imu, found = load_imu_at_rate(errors_of, None), read_fixes(fixes)
-    record, used = _cut(read_record(log), found)
+    imu, position_fixes = load_imu_at_rate(errors_of, None), read_fixes(fixes)
+    record, used = _cut(read_record(log), position_fixes)
     result = aid_record(record, used, imu, arm, held, maps)
     result = replace(
         result,
         name=f"{Path(log).name}, {Path(fixes).name}",
-        unused=len(found) - len(used),
+        unused=len(position_fixes) - len(used),
     )
     if out is not None:
         result.write(out)

@@ -50,8 +50,8 @@ def filter_rows(
     """
     weights, innovations = np.ones(values.shape), np.empty(values.shape)
     mean, covariance = np.zeros(len(prior)), prior.copy()
-    told = noise if scatter is None else scatter
-    _filter_in_order(design, values, noise, told, mean, covariance, weights, innovations)
+    spread = noise if scatter is None else scatter
+    _filter_in_order(design, values, noise, spread, mean, covariance, weights, innovations)
     return Filtered(mean, covariance, weights, compute_whiteness(innovations))
 
 

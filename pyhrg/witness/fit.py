@@ -142,18 +142,18 @@ def _fit_stage(
     root = factor_covariance(prior.covariance)
     noise = responses.noise / np.sqrt(BLOCK)
     residuals = _average(replayed.residuals, witnesses.interval)
-    told = np.isfinite(residuals).all(axis=0)
+    recorded = np.isfinite(residuals).all(axis=0)
     design = _average_design(responses, replayed.motion)
     late = _average_delay(witnesses.forces - replayed.residuals, witnesses.interval)
     scaled = np.concatenate([design @ root, gyro.delay_sigma * late[:, :, None]], axis=2)
     # the replay leaves out the bias by the rate of temperature
     values = residuals + design @ (np.where(TEMPERATURE_RATE, 0.0, start) - prior.mean)
     filtered = filter_rows(
-        scaled[:, told],
-        values[:, told],
-        noise[told],
+        scaled[:, recorded],
+        values[:, recorded],
+        noise[recorded],
         np.eye(COUNT + 1),
-        np.maximum(scatter, noise)[told],
+        np.maximum(scatter, noise)[recorded],
     )
     changes = prior.mean + root @ filtered.mean[:COUNT]
     covariance = root @ filtered.covariance[:COUNT, :COUNT] @ root.T

@@ -89,14 +89,14 @@ def _replay(
     numbers: Sequence[int],
     witnesses: Sequence[Witnesses],
 ) -> dict[int, Replay]:
-    found: dict[int, Replay] = {}
+    replayed: dict[int, Replay] = {}
     for first in range(0, len(numbers), WIDE):
         part = slice(first, first + WIDE)
         devices = [changed[n] for n in numbers[part]]
         courses = [gyros[n].course for n in numbers[part]]
         replays = replay(fmu, devices, witnesses[part], courses)
-        found |= dict(zip(numbers[part], replays, strict=True))
-    return found
+        replayed |= dict(zip(numbers[part], replays, strict=True))
+    return replayed
 
 
 def _correct_target(target: Witnesses, fast: Replay, slow: Replay) -> Witnesses:

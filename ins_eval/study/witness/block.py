@@ -65,8 +65,8 @@ def witness_triads(
         noise = [seed_noise(each, mission) for each in drawn]
         for test in TESTS:
             recorded = fly_with_channels(fmus[0], truth, drawn, noise, test, effects)
-            found = witness_flights(fmus, weights, drawn, believed, recorded)
-            for (number, _), each in zip(part, found, strict=True):
+            witnessed = witness_flights(fmus, weights, drawn, believed, recorded)
+            for (number, _), each in zip(part, witnessed, strict=True):
                 flights[number].append(each)
     return {
         name: np.stack([_stack(flights.get(number), name) for number in numbers]) for name in SHAPES

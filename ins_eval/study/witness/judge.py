@@ -70,7 +70,7 @@ def score_witnesses(flights: pd.DataFrame, seed: int) -> list[WitnessScore]:
 
     flights: a row for each triad, calibration, mission and self-test (`tabulate.py`).
     """
-    found: list[WitnessScore] = []
+    scores: list[WitnessScore] = []
     for (calibration, test), rows in flights.groupby(["calibration", "self_test_s"]):
         parts = [(ALL, rows), *rows.groupby("mission_class", sort=False)]
         for name, part in parts:
@@ -78,8 +78,8 @@ def score_witnesses(flights: pd.DataFrame, seed: int) -> list[WitnessScore]:
             for score, of, estimate in _score(group, seed):
                 values = estimate.value, estimate.low, estimate.high
                 place = str(calibration), str(name), float(test)
-                found.append(WitnessScore(*place, score, of, *values, group.triads))
-    return found
+                scores.append(WitnessScore(*place, score, of, *values, group.triads))
+    return scores
 
 
 def _score(group: FlightGroup, seed: int) -> Iterator[tuple[str, str, Estimate]]:

@@ -39,9 +39,9 @@ def read_identified_device(nominal: Device, diagnosis: Diagnosis) -> Device:
     in; noise, and faults of bench and record, are left out. A `DiagnosisError` where the catalogue
     has no such effect, or a parameter is missing."""
     device = nominal
-    found = [("causes", cause.effect, cause.parameters) for cause in diagnosis.causes]
-    found += [("within_tolerance", k.name, k.parameters) for k in diagnosis.within_tolerance]
-    for key, name, parameters in found:
+    changes = [("causes", cause.effect, cause.parameters) for cause in diagnosis.causes]
+    changes += [("within_tolerance", k.name, k.parameters) for k in diagnosis.within_tolerance]
+    for key, name, parameters in changes:
         if name in NOISE_EFFECTS or name in FAULT_NAMES:
             continue
         if name not in EFFECTS:

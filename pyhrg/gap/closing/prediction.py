@@ -75,17 +75,17 @@ def predict(
         campaign if isinstance(campaign, Campaign) else campaigns.read_campaign(Path(campaign))
     )
     nominal = nominal_device(campaign)
-    found = _read(diagnosis, campaign.device)
-    identified = read_identified_device(nominal, found)
+    findings = _read(diagnosis, campaign.device)
+    identified = read_identified_device(nominal, findings)
     if not isinstance(log, Log):
         log = records.read_log(Path(log), latitude_deg=campaign.site.latitude_deg, any_sign=True)
-    log, notes = _repair_inputs(log, nominal, found)
+    log, notes = _repair_inputs(log, nominal, findings)
     for note in notes:
         report(note)
     test = observe_test(Test("prediction", "manoeuvre", "holdout", log), nominal)
-    if found.terms:
-        fmu = load_closed_fmu(identified, found.terms)
-        answers = replay_sampled(fmu, put_terms(identified, found.terms), test.inputs)
+    if findings.terms:
+        fmu = load_closed_fmu(identified, findings.terms)
+        answers = replay_sampled(fmu, put_terms(identified, findings.terms), test.inputs)
     else:
         answers = (simulation or load_simulation(report)).simulate(identified, test)
     predicted = answers["gyro_angle"]

@@ -69,8 +69,8 @@ class Effect:
 
     def tolerance_of(self, nominal: Device) -> float:
         """Standard deviation of each component about its value in a nominal device, SI."""
-        told = 0.0 if self.periods else abs(float(getattr(nominal, self.fields[0])))
-        return max(self.tolerance, self.relative_tolerance * told)
+        stated = 0.0 if self.periods else abs(float(getattr(nominal, self.fields[0])))
+        return max(self.tolerance, self.relative_tolerance * stated)
 
     def put(self, device: Device, vector: Array) -> Device:
         """The device with its effect set to a vector, (size,), SI; beyond `bounds` the nearest

@@ -136,8 +136,8 @@ def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
     for effect, (size, covariance) in attribution.posterior.best.departures.items():
         tolerance = effect.tolerance_of(nominal)
         if _compute_beyond(tolerance, size, covariance) <= BEYOND_PROBABILITY:
-            told = effect.vector(nominal)
-            total = told + size
+            stated = effect.vector(nominal)
+            total = stated + size
             key, parameters = effect.keys[0], effect.parameters(total)
             values.append(
                 KnownValue(
@@ -145,7 +145,7 @@ def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
                     effect.family,
                     key.name,
                     parameters[key.name],
-                    effect.parameters(told)[key.name],
+                    effect.parameters(stated)[key.name],
                     _intervals(effect, total, partial(sigma_along, covariance=covariance))[
                         key.name
                     ],

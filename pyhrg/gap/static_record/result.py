@@ -71,13 +71,15 @@ class RecordDiagnosis:
         """Verdicts, causes, motion and halves that differ, a line a channel."""
         lines = [f"{self.source}: {self.verdict.replace('_', ' ')}"]
         for d, shared in zip(self.channel_diagnoses, self.shared, strict=True):
-            found = [f"{c.term.effect} {c.probability:.3f}" for c in d.causes]
+            findings = [f"{c.term.effect} {c.probability:.3f}" for c in d.causes]
             if d.verdict != "no_gap":
-                found += _describe_motion(d, shared)
+                findings += _describe_motion(d, shared)
             if d.verdict == "unexplained" and d.holdout_p_value < NOTED_P_VALUE:
-                found.append(f"held-out half differs, p = {d.holdout_p_value:.1g}")
+                findings.append(f"held-out half differs, p = {d.holdout_p_value:.1g}")
             verdict = d.verdict.replace("_", " ")
-            lines.append(f"  {d.channel.name}: {verdict}{': ' if found else ''}{', '.join(found)}")
+            lines.append(
+                f"  {d.channel.name}: {verdict}{': ' if findings else ''}{', '.join(findings)}"
+            )
         return "\n".join(lines)
 
 

@@ -118,8 +118,8 @@ def _check_flags(message: Message, trusted: bool) -> None:
 
 def _read_configuration(source: str, lines: Sequence[str], name: str) -> dict[str, Message]:
     """The names of the IMU in messages of the configuration."""
-    found = read_messages(source, lines, (CONFIGURATION,))
-    kinds = {message.require(message.body, "IMU type", 0): message for message in found}
+    configurations = read_messages(source, lines, (CONFIGURATION,))
+    kinds = {message.require(message.body, "IMU type", 0): message for message in configurations}
     if not kinds:
         raise LogError(
             f"{source}: found {name}, which does not say of which IMU its counts are: expected "

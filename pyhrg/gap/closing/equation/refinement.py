@@ -109,8 +109,8 @@ def find_moved_tests(parts: Sequence[LinearTest], sizes: Sizes, noise: CampaignN
 def _search_around(attribution: Attribution, parts: Sequence[LinearTest]) -> Posterior:
     """The search with newly linearized tests, under the present noise."""
     best = attribution.posterior.best
-    found = rank_with_forms(best.noise, attribution.nominal, parts, best)
-    return Posterior((found,), (1.0,))
+    hypothesis = rank_with_forms(best.noise, attribution.nominal, parts, best)
+    return Posterior((hypothesis,), (1.0,))
 
 
 def _linearize(

@@ -34,8 +34,8 @@ from ins_eval.study.gyros.drawn_triad import (
 )
 from ins_eval.study.gyros.true_maps import read_flight_coefficients
 from ins_eval.study.gyros.witness_prior import forget_unmeasured, make_study_prior
+from ins_eval.study.witness.estimated_map import respond
 from ins_eval.study.witness.self_test import SELF_TEST
-from ins_eval.study.witness.told_map import respond
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import HOUR
 from pyhrg.fmu import GyroFmu

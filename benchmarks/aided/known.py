@@ -22,7 +22,7 @@ from ins_eval.study.gyros.drawn_triad import (
 )
 from ins_eval.study.gyros.true_maps import read_flight_coefficients
 from ins_eval.study.gyros.witness_prior import make_study_drift
-from ins_eval.study.witness.told_map import respond
+from ins_eval.study.witness.estimated_map import respond
 from pyhrg.common.arrays import Array
 from pyhrg.fmu import GyroFmu
 from pyhrg.noise.coefficients import compute_process_variance

@@ -125,14 +125,14 @@ def print_benched(count: int) -> None:
             benched.estimate_benched(load_fmu("HRG"), load_fmu("HRGSlow"), count, self_test)
         )
         square, degrees = sum(x.square for x in found), sum(x.degrees for x in found)
-        told, believed, sigma = (
+        estimated, believed, sigma = (
             1e3 * np.sqrt(np.mean(np.square([getattr(x, name) for x in found])))
-            for name in ("told", "believed", "sigma")
+            for name in ("estimated", "believed", "sigma")
         )
         low, high = chi2.ppf((0.005, 0.995), degrees) / degrees
         print(
             f"self-test {self_test}: NEES {square / degrees:.2f} of {degrees} degrees "
-            f"({low:.2f} to {high:.2f}); map {told:.2f} mdeg/h, stated {sigma:.2f}, before "
+            f"({low:.2f} to {high:.2f}); map {estimated:.2f} mdeg/h, stated {sigma:.2f}, before "
             f"{believed:.2f}; smallest p {min(x.p_value for x in found):.2g}",
             flush=True,
         )
@@ -165,13 +165,13 @@ def print_outside() -> None:
     ratios = []
     fmus = load_fmu("HRG"), load_fmu("HRGSlow"), GyroFmu(build_fmu("HRGSelfCorrecting"))
     for each in outside.compare_changes(*fmus):
-        told, believed, corrected = (
+        estimated, believed, corrected = (
             1e3 * np.sqrt(np.mean(errors**2)) / DEG_PER_H
-            for errors in (each.told, each.believed, each.corrected)
+            for errors in (each.estimated, each.believed, each.corrected)
         )
         listed = " ".join(f"{ratio:.2f}" for ratio in sorted(each.ratio))
         count = f"{each.followed.sum()} of {len(each.followed)}"
-        row = f"{told:8.2f}{believed:8.2f}{corrected:8.2f}  {listed}  {count}"
+        row = f"{estimated:8.2f}{believed:8.2f}{corrected:8.2f}  {listed}  {count}"
         print(f"{each.field:24s}{row}, {each.electronics_followed.sum()}", flush=True)
         ratios.append(each.ratio)
     print(f"90th percentile of all ratios: {np.quantile(ratios, 0.9):.2f}")

@@ -27,13 +27,13 @@ FIRST_SEED = 1000
 
 @dataclass(frozen=True)
 class Benched:
-    """One gyro. square, degrees: normalised square of the error; told, believed, sigma: rms over
-    the circumference of the bias map's error by the estimate, before the flight, and as stated,
-    deg/h; p_value: of the estimate."""
+    """One gyro. square, degrees: normalised square of the error; estimated, believed, sigma: rms
+    over the circumference of the bias map's error by the estimate, before the flight, and as
+    stated, deg/h; p_value: of the estimate."""
 
     square: float
     degrees: int
-    told: float
+    estimated: float
     believed: float
     sigma: float
     p_value: float
@@ -56,7 +56,7 @@ def estimate_benched(
     fits = fit_changes(fast, slow, gyros)
     for gyro, flight, found in zip(gyros, flights, fits, strict=True):
         error = found.changes - read_true_changes(gyro.device, flight)
-        true, told, before = (
+        true, estimated, before = (
             measure_output(slow, each, found.temperature)[:TERMS]
             for each in (
                 flight.device,
@@ -66,7 +66,7 @@ def estimate_benched(
         )
         yield Benched(
             *compute_normalized_square(error, found.covariance),
-            compute_rms(told - true) / DEG_PER_H,
+            compute_rms(estimated - true) / DEG_PER_H,
             compute_rms(before - true) / DEG_PER_H,
             compute_map_deviation(found.responses, found.covariance, found.temperature) / DEG_PER_H,
             found.p_value,

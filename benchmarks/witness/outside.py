@@ -35,13 +35,13 @@ DURATION, FLIGHTS = 600.0, 6
 class Compared:
     """A field that changed, beside all that drifts, in some flights.
 
-    told, believed, corrected: (n,) rms error over the circumference of the bias map by the
+    estimated, believed, corrected: (n,) rms error over the circumference of the bias map by the
     estimate, without the log, and by the electronics, rad/s; p_values: (n,) of the estimates;
     electronics_followed: (n,) whether the electronics follow theirs.
     """
 
     field: str
-    told: Array
+    estimated: Array
     believed: Array
     corrected: Array
     p_values: Array
@@ -55,7 +55,7 @@ class Compared:
     @property
     def ratio(self) -> Array:
         """(n,) error with the log over that without it; 1 where it is not followed."""
-        return np.where(self.followed, self.told / self.believed, 1.0)
+        return np.where(self.followed, self.estimated / self.believed, 1.0)
 
 
 def compare_changes(fast: GyroFmu, slow: GyroFmu, correcting: GyroFmu) -> Iterator[Compared]:
@@ -73,7 +73,7 @@ def compare_changes(fast: GyroFmu, slow: GyroFmu, correcting: GyroFmu) -> Iterat
         errors, followed = [], []
         fits = fit_changes(fast, slow, gyros)
         for seed, (device, found) in enumerate(zip(devices, fits, strict=True)):
-            true, told, believed, calibrated = (
+            true, estimated, believed, calibrated = (
                 measure_output(slow, each, found.temperature)[:TERMS]
                 for each in (
                     device,
@@ -85,7 +85,7 @@ def compare_changes(fast: GyroFmu, slow: GyroFmu, correcting: GyroFmu) -> Iterat
             change, is_followed = read_change(
                 correcting, replace(device, model=parameters), DURATION, seed, self_test=True
             )
-            maps = (told, believed, calibrated + change)
+            maps = (estimated, believed, calibrated + change)
             errors.append([compute_rms(each - true) for each in maps])
             followed.append(is_followed)
         p_values = np.array([each.p_value for each in fits])

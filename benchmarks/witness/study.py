@@ -26,9 +26,9 @@ from ins_eval.study.predictors.prediction_columns import TrainedModel, select_ti
 from ins_eval.study.predictors.unpredictable import compute_unpredictable_covariance
 from ins_eval.study.scores.measures import compute_r2
 from ins_eval.study.scores.resampling import Estimate, bootstrap
+from ins_eval.study.witness.estimated_map import ESTIMATED, respond
 from ins_eval.study.witness.judge import compute_size_ratio
 from ins_eval.study.witness.self_test import SELF_TEST
-from ins_eval.study.witness.told_map import TOLD, respond
 from ins_eval.study.witness.witnessed import read_true_changes
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, MICRO_G
@@ -47,7 +47,7 @@ ACCELEROMETER, MOUNTING = 10 * MICRO_G, 10 * ARCSEC
 TESTS = {"channels in flight": 0.0, "with a self-test": SELF_TEST}
 """Durations of the self-test at power-on, s."""
 SEED = 1
-UNKNOWN = slice(TOLD, len(SIGNALS))
+UNKNOWN = slice(ESTIMATED, len(SIGNALS))
 """Signals of the maps to which the response is not known: fast turning."""
 
 

@@ -29,22 +29,22 @@ PAGE = Path("docs/witness-results.md")
 BEGIN, END = "<!-- flown -->", "<!-- /flown -->"
 """Lines of the page between which `python -m benchmarks.witness tables` writes."""
 OVER_CLASSES = {
-    "R2, told": (R2, "told"),
+    "R2, estimated": (R2, "estimated"),
     "R2, bench's maps": (R2, "known"),
     "R2, bound": (R2, "bound"),
     "R2, true maps": (R2, "true"),
-    "coverage of 90 % intervals, told": (COVERAGE, "told"),
-    "corrected over uncorrected, told": (CORRECTED, "by_channels"),
+    "coverage of 90 % intervals, estimated": (COVERAGE, "estimated"),
+    "corrected over uncorrected, estimated": (CORRECTED, "by_channels"),
     "by the bench's maps": (CORRECTED, "by_bench"),
     "by the bound": (CORRECTED, "by_bound"),
     "by the true maps": (CORRECTED, "by_true"),
     "with another triad's channels": (CORRECTED, SHUFFLED),
-    "worst tenth, told": (WORST, "by_channels"),
+    "worst tenth, estimated": (WORST, "by_channels"),
     "worst tenth, bench's maps": (WORST, "by_bench"),
     "worst tenth, bound": (WORST, "by_bound"),
     "worst tenth, true maps": (WORST, "by_true"),
-    "NEES of the changes": (NEES, "told"),
-    "NEES of the position error": (POSITION_NEES, "told"),
+    "NEES of the changes": (NEES, "estimated"),
+    "NEES of the position error": (POSITION_NEES, "estimated"),
 }
 """Rows of the table over all classes: their score, and what it is of."""
 BY_CLASS = {
@@ -52,8 +52,8 @@ BY_CLASS = {
     "by the channels": (CORRECTED, "by_channels"),
     "bound": (CORRECTED, "by_bound"),
     "true maps": (CORRECTED, "by_true"),
-    "NEES of the changes": (NEES, "told"),
-    "NEES of the position": (POSITION_NEES, "told"),
+    "NEES of the changes": (NEES, "estimated"),
+    "NEES of the position": (POSITION_NEES, "estimated"),
 }
 """Columns of the table by class."""
 SEALED = {"bench's maps": "by_bench", "channels": "by_channels", "true maps": "by_true"}

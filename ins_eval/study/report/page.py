@@ -197,8 +197,8 @@ def _make_witness_section(data: StudyData) -> list[PageSection]:
     lead = (
         "Forces, frequency and pattern angle of each gyro were recorded in flight. They tell how "
         "far its map has drifted since the bench. R2 is that of the horizontal error; a corrected "
-        "flight is the same record, navigated after the told maps were taken out. The control has "
-        "the channels of another triad."
+        "flight is the same record, navigated after the estimated maps were taken out. The control "
+        "has the channels of another triad."
     )
     header = ("calibration", "class", "self-test", "score", "value (95 %)", "triads")
     table = make_wide_table(Table("Self-witness", header, list_figures(scores)))

@@ -21,8 +21,10 @@ TOGETHER = 5
 """Number of triads that fly side by side. Derived: 15 gyros nearly fill the lanes of two vectors
 of `pyhrg.fmu.WIDE`, and five flights of two hours are a GB."""
 SHAPES = {
-    **dict.fromkeys(("flown", "by_bench", "by_channels", "by_self_test", "told", "known"), (2,)),
-    **dict.fromkeys(("told_covariance", "known_covariance"), (2, 2)),
+    **dict.fromkeys(
+        ("flown", "by_bench", "by_channels", "by_self_test", "estimated", "known"), (2,)
+    ),
+    **dict.fromkeys(("estimated_covariance", "known_covariance"), (2, 2)),
     **dict.fromkeys(("squares", "degrees", "p_values", "followed"), (3,)),
 }
 """Shapes of the fields of `WitnessedFlight`."""

@@ -25,7 +25,7 @@ NEES = "nees"
 POSITION_NEES = "position_nees"
 PREDICTORS = {
     "known": "maps known from the bench",
-    "told": "maps told by the channels",
+    "estimated": "maps estimated from the channels",
     "bound": "an estimate that attains the bound",
     "true": "true maps in flight",
 }
@@ -36,7 +36,7 @@ CORRECTIONS = {
     "by_bound": "by an estimate that attains the bound, linear",
     "by_true": "by the true maps, linear",
 }
-SHUFFLED = "told, of another triad"
+SHUFFLED = "estimated, of another triad"
 
 
 @dataclass(frozen=True)
@@ -47,8 +47,9 @@ class WitnessScore:
         self_test_s: duration of the self-test at power-on.
         score: `R2` of the horizontal error, `COVERAGE` of the intervals, `CORRECTED` median error
             over that of the uncorrected flights, `WORST` 90th percentile of that ratio flight by
-            flight, `NEES` of the told changes over its degrees of freedom, or `POSITION_NEES` of
-            the position error that the told maps make beside that of the true ones, likewise.
+            flight, `NEES` of the estimated changes over its degrees of freedom, or `POSITION_NEES`
+            of the position error that the estimated maps make beside that of the true ones,
+            likewise.
         of: key of `PREDICTORS` or `CORRECTIONS`, or `SHUFFLED`.
         low, high: interval of 95 %.
         n: number of triads.
@@ -100,16 +101,16 @@ def _score(group: FlightGroup, seed: int) -> Iterator[tuple[str, str, Estimate]]
             yield CORRECTED, key, estimate(compute_size_ratio, radial, corrected)
             yield WORST, key, estimate(compute_worst_tenth, corrected / radial)
     by_bench = group.select_pair("by_bench")
-    added = group.select_pair("told") - group.select_pair("known")
+    added = group.select_pair("estimated") - group.select_pair("known")
 
-    def correct(errors: Array, told: Array) -> Array:
-        return compute_size_ratio(radial, np.linalg.norm(errors - told, axis=-1))
+    def correct(errors: Array, estimated: Array) -> Array:
+        return compute_size_ratio(radial, np.linalg.norm(errors - estimated, axis=-1))
 
     yield CORRECTED, SHUFFLED, shuffle_devices(correct, by_bench, [added], seed)
     squares, degrees = group.select("squares"), group.select("degrees")
-    yield NEES, "told", estimate(_compute_nees, squares, degrees)
+    yield NEES, "estimated", estimate(_compute_nees, squares, degrees)
     position = group.select("position_square")
-    yield POSITION_NEES, "told", estimate(_compute_nees, position, np.full_like(position, 2.0))
+    yield POSITION_NEES, "estimated", estimate(_compute_nees, position, np.full_like(position, 2.0))
 
 
 def compute_size_ratio(flown: Array, corrected: Array) -> Array:

@@ -16,7 +16,7 @@ from ins_eval.study.witness.block import TESTS
 from pyhrg.common.arrays import Array
 
 AXES = ("north", "east")
-ERRORS = ("flown", "by_bench", "by_channels", "by_self_test", "told", "known")
+ERRORS = ("flown", "by_bench", "by_channels", "by_self_test", "estimated", "known")
 """Errors of a flight, north and east (`WitnessedFlight`)."""
 LINEAR = ("bound", "true")
 """Predictions that the linear model takes out of a flight."""
@@ -51,11 +51,11 @@ def tabulate_witnesses(
         here = {name: values[rows, place] for name, values in found.items()}
         predictions = {
             key: NormalPrediction(here[key][:, None], here[f"{key}_covariance"][:, None] + other)
-            for key in ("known", "told")
+            for key in ("known", "estimated")
         }
         generator = np.random.default_rng([seed, place])
         bound = _attain_bound(here, true.expected[:, 0], generator)
-        predictions["bound"] = NormalPrediction(bound[:, None], predictions["told"].covariance)
+        predictions["bound"] = NormalPrediction(bound[:, None], predictions["estimated"].covariance)
         predictions["true"] = true
         columns: dict[str, Any] = {"triad": rows, "self_test_s": np.full(len(rows), test)}
         # maps that no flight has are taken out by the linear model
@@ -68,9 +68,9 @@ def tabulate_witnesses(
                 f"{key}_{name}_m": prediction.radius(share)[:, 0] for name, share in ends.items()
             }
         columns |= {name: here[name].sum(axis=1) for name in ("squares", "degrees", "followed")}
-        missed = here["told"] - true.expected[:, 0]
+        missed = here["estimated"] - true.expected[:, 0]
         columns["position_square"] = np.einsum(
-            "ri,rij,rj->r", missed, np.linalg.inv(here["told_covariance"]), missed
+            "ri,rij,rj->r", missed, np.linalg.inv(here["estimated_covariance"]), missed
         )
         columns["smallest_p"] = here["p_values"].min(axis=1)
         tables.append(pd.DataFrame(columns))
@@ -81,7 +81,7 @@ def _attain_bound(found: Mapping[str, Array], true: Array, generator: np.random.
     """(r, 2) position error by an estimate that attains the bound: it goes from what is known
     before the flight towards the error by the true maps as far as the channels tell, and has their
     noise."""
-    after, before = found["told_covariance"], found["known_covariance"]
+    after, before = found["estimated_covariance"], found["known_covariance"]
     left = after @ np.linalg.inv(before)
     step = np.einsum("rij,rj->ri", np.eye(2) - left, true - found["known"])
     values, vectors = np.linalg.eigh(after - left @ after)

@@ -13,13 +13,13 @@ from ins_eval.mission_model.signals import compute_resonator_warmth
 from ins_eval.study.gyros.drawn_triad import AXES, DrawnTriad
 from ins_eval.study.gyros.drift import Flight
 from ins_eval.study.witness.believed import BelievedGyro
-from ins_eval.study.witness.flight import ChannelFlight
-from ins_eval.study.witness.told_map import (
-    ToldMap,
+from ins_eval.study.witness.estimated_map import (
+    EstimatedMap,
     compute_angle_errors,
+    compute_estimated_map,
     predict_error,
-    tell_map,
 )
+from ins_eval.study.witness.flight import ChannelFlight
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import FMU_FIELDS
@@ -40,10 +40,10 @@ class WitnessedFlight:
         by_bench: error of the same record, corrected by the maps that the bench knows.
         by_channels: error, corrected by the maps that the channels of the whole flight give.
         by_self_test: error, corrected by the maps that the channels give until the alignment ends.
-        told, known: (2,) error that the maps told by the channels make, and those known from the
-            bench.
-        told_covariance, known_covariance: (2, 2) of these, m^2, without noise and mounting.
-        squares, degrees: (3,) normalised squares of the told changes' errors, and degrees of
+        estimated, known: (2,) error that the maps estimated from the channels make, and those known
+            from the bench.
+        estimated_covariance, known_covariance: (2, 2) of these, m^2, without noise and mounting.
+        squares, degrees: (3,) normalised squares of the estimated changes' errors, and degrees of
             freedom.
         p_values: (3,) as of `Filtered`.
         followed: (3,) whether each gyro's log is followed, 1 or 0.
@@ -53,9 +53,9 @@ class WitnessedFlight:
     by_bench: Array
     by_channels: Array
     by_self_test: Array
-    told: Array
+    estimated: Array
     known: Array
-    told_covariance: Array
+    estimated_covariance: Array
     known_covariance: Array
     squares: Array
     degrees: Array
@@ -107,27 +107,27 @@ def _judge(
     early: Sequence[FittedChanges],
 ) -> WitnessedFlight:
     """early: estimates until the alignment ended."""
-    known = _tell(slow, believed, None, flight)
-    told = _tell(slow, believed, fits, flight)
+    known = _estimate_maps(slow, believed, None, flight)
+    estimated = _estimate_maps(slow, believed, fits, flight)
     start, none = flight.patterns[0], np.zeros((1, 1, 2, 2))
-    predictions = [predict_error(weights, maps, start, none) for maps in (told, known)]
+    predictions = [predict_error(weights, maps, start, none) for maps in (estimated, known)]
     true = [read_true_changes(b.device, f) for b, f in zip(believed, triad.flights, strict=True)]
     scored = [
-        compute_normalized_square(told_changes - changes, covariance)
-        for (told_changes, covariance, _), changes in zip(
+        compute_normalized_square(estimated_changes - changes, covariance)
+        for (estimated_changes, covariance, _), changes in zip(
             map(_follow, believed, fits), true, strict=True
         )
     ]
     return WitnessedFlight(
         flown=flight.navigate()[-1],
         by_bench=_correct(flight, known),
-        by_channels=_correct(flight, told),
-        by_self_test=_correct(flight, _tell(slow, believed, early, flight))
+        by_channels=_correct(flight, estimated),
+        by_self_test=_correct(flight, _estimate_maps(slow, believed, early, flight))
         if flight.self_test
         else np.full(2, np.nan),
-        told=predictions[0].expected[0, -1],
+        estimated=predictions[0].expected[0, -1],
         known=predictions[1].expected[0, -1],
-        told_covariance=predictions[0].covariance[0, -1],
+        estimated_covariance=predictions[0].covariance[0, -1],
         known_covariance=predictions[1].covariance[0, -1],
         squares=np.array([square for square, _ in scored]),
         degrees=np.array([float(degrees) for _, degrees in scored]),
@@ -151,20 +151,20 @@ def _fit(
     return [fits[first : first + AXES] for first in range(0, len(fits), AXES)]
 
 
-def _tell(
+def _estimate_maps(
     slow: GyroFmu,
     believed: Sequence[BelievedGyro],
     fits: Sequence[FittedChanges] | None,
     flight: ChannelFlight,
-) -> list[ToldMap]:
+) -> list[EstimatedMap]:
     """Maps of the gyros by estimates, or by what is known before the flight."""
-    told = []
+    estimated = []
     for axis in range(AXES):
         gyro, witnesses = believed[axis], flight.witnesses[axis]
         rise = _read_rise(gyro.device, witnesses)
         known = _follow(gyro, fits[axis] if fits else None)
-        told.append(tell_map(slow, gyro.device, *known, rise))
-    return told
+        estimated.append(compute_estimated_map(slow, gyro.device, *known, rise))
+    return estimated
 
 
 def _follow(gyro: BelievedGyro, fit: FittedChanges | None) -> tuple[Array, Array, Responses]:
@@ -184,10 +184,10 @@ def _read_rise(device: Device, witnesses: Witnesses) -> float:
     return temperature / float(compute_resonator_warmth(np.array(end)))
 
 
-def _correct(flight: ChannelFlight, told: Sequence[ToldMap]) -> Array:
+def _correct(flight: ChannelFlight, estimated: Sequence[EstimatedMap]) -> Array:
     time, rotation = flight.measured.bounds, flight.measured.rotation
     errors = []
-    for axis, each in enumerate(told):
+    for axis, each in enumerate(estimated):
         force = resolve_force_in_case(flight.measured, np.eye(AXES)[axis])
         pattern = flight.patterns[:, axis]
         errors.append(compute_angle_errors(each, pattern, time, rotation[:, axis], force))

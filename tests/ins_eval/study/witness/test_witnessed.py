@@ -73,10 +73,10 @@ def test_its_flight_is_the_studys(
 
 
 def test_a_correction_takes_out_what_is_predicted(found: dict[str, Array]) -> None:
-    """The navigator with the told maps taken out differs by the error that the linear model makes
-    of them, to a twentieth."""
+    """The navigator with the estimated maps taken out differs by the error that the linear model
+    makes of them, to a twentieth."""
     left = found["flown"][1, 0] - found["by_channels"][1, 0]
-    assert left == pytest.approx(found["told"][1, 0], abs=0.05 * np.linalg.norm(left))
+    assert left == pytest.approx(found["estimated"][1, 0], abs=0.05 * np.linalg.norm(left))
     assert np.isnan(found["by_self_test"][1, 0]).all()
     assert np.isfinite(found["by_self_test"][1, 1]).all()
 

@@ -43,13 +43,13 @@ from pyhrg.witness.responses import Responses, measure_channels
 
 OUTPUT, MAPS = 2, slice(0, 2)
 """Place of the output among the channels, and of bias and scale-factor error among its motions."""
-TOLD = POWERS + len(SIGNALS) - 1
+ESTIMATED = POWERS + len(SIGNALS) - 1
 """Number of the mission's signals to which the response is known: powers of the warmth, then those
 of `mechanisms.SIGNALS`."""
 
 
 @dataclass(frozen=True)
-class ToldMap:
+class EstimatedMap:
     """Distribution of a gyro's coefficients in flight: (COUNT,) mean and (COUNT, COUNT)
     covariance."""
 
@@ -57,14 +57,14 @@ class ToldMap:
     covariance: Array
 
 
-def tell_map(
+def compute_estimated_map(
     fmu: GyroFmu,
     device: Device,
     changes: Array,
     covariance: Array,
     responses: Responses,
     rise: float,
-) -> ToldMap:
+) -> EstimatedMap:
     """The maps of a device with changes (MECHANISMS,) of a covariance.
 
     What they do under fast turning is taken for zero.
@@ -78,7 +78,7 @@ def tell_map(
     mean = response[:, ~STEADY] @ values[~STEADY]
     maps = channels[OUTPUT, :, MAPS].reshape(POWERS, -1) * _warm(rise)[:, None]
     mean[: maps.size] = maps.ravel()
-    return ToldMap(mean, response @ covariance @ response.T)
+    return EstimatedMap(mean, response @ covariance @ response.T)
 
 
 def respond(responses: Responses, rise: float) -> Array:
@@ -101,17 +101,17 @@ def _warm(rise: float) -> Array:
 
 
 def predict_error(
-    weights: MissionWeights, told: Sequence[ToldMap], start_angle: Array, other: Array
+    weights: MissionWeights, estimated: Sequence[EstimatedMap], start_angle: Array, other: Array
 ) -> NormalPrediction:
     """Position error of one triad by its maps.
 
     weights: at k times; start_angle: (3,) of the patterns at power-on, rad; other: (1, k, 2, 2)
     covariance by noise, accelerometers and mounting, m^2.
     """
-    maps = np.stack([each.mean for each in told], axis=-1)
+    maps = np.stack([each.mean for each in estimated], axis=-1)
     carried = turn_weights(weights.maps, start_angle)
     covariance = other.copy()
-    for axis, each in enumerate(told):
+    for axis, each in enumerate(estimated):
         part = carried[..., axis]
         covariance[0] += np.einsum("kic,cd,kjd->kij", part, each.covariance, part)
     expected = compute_expected_error(weights, start_maps(maps, start_angle)[None])
@@ -119,7 +119,7 @@ def predict_error(
 
 
 def compute_angle_errors(
-    told: ToldMap, pattern: Array, time: Array, rotation: Array, force: Array
+    estimated: EstimatedMap, pattern: Array, time: Array, rotation: Array, force: Array
 ) -> Array:
     """(n,) errors of a gyro's increments, rad, by its maps.
 
@@ -132,7 +132,7 @@ def compute_angle_errors(
     signals = np.stack(
         [*(warmth**power for power in range(POWERS)), compute_case_warming_rate(time), x, z]
     )
-    maps = told.mean[slice_coefficients(slice(0, TOLD))].reshape(TOLD, 2, TERMS)
+    maps = estimated.mean[slice_coefficients(slice(0, ESTIMATED))].reshape(ESTIMATED, 2, TERMS)
     bias, scale = (np.einsum("sn,st->nt", signals, maps[:, kind]) for kind in (0, 1))
     rate = np.einsum("nt,nt->n", evaluate_terms(pattern), bias)
     detected = np.einsum("nt,nt->n", _evaluate_angle_errors(pattern), scale[:, 1:])

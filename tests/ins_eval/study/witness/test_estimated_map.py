@@ -9,7 +9,11 @@ from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.missions import STILL
 from ins_eval.mission_model.signals import ENVIRONMENT, compute_case_warmth, slice_coefficients
 from ins_eval.study.gyros.true_maps import read_flight_coefficients
-from ins_eval.study.witness.told_map import ToldMap, compute_angle_errors, tell_map
+from ins_eval.study.witness.estimated_map import (
+    EstimatedMap,
+    compute_angle_errors,
+    compute_estimated_map,
+)
 from pyhrg.common.units import DEG_PER_H, STANDARD_GRAVITY
 from pyhrg.fmu import GyroFmu
 from pyhrg.witness.mechanisms import COUNT, change_device, find, read_values
@@ -26,27 +30,27 @@ FLOWN = replace(
 
 
 @pytest.fixture(scope="module")
-def told(slow_fmu: GyroFmu) -> ToldMap:
+def estimated(slow_fmu: GyroFmu) -> EstimatedMap:
     """The maps by the true changes."""
     responses: Responses = measure_responses(slow_fmu, GYRO)
     changes = read_values(FLOWN) - read_values(GYRO)
     changes[find("bias per rate of temperature")] = FLOWN.bias_per_temperature_rate
-    return tell_map(slow_fmu, GYRO, changes, np.zeros((COUNT, COUNT)), responses, RISE)
+    return compute_estimated_map(slow_fmu, GYRO, changes, np.zeros((COUNT, COUNT)), responses, RISE)
 
 
-def test_they_are_those_of_the_gyro(slow_fmu: GyroFmu, told: ToldMap) -> None:
+def test_they_are_those_of_the_gyro(slow_fmu: GyroFmu, estimated: EstimatedMap) -> None:
     """Bias at power-on, its change while the gyro warms, and by heating, to 0.1 % of the largest
     or 1e-5 deg/h."""
     true = read_flight_coefficients(slow_fmu, FLOWN, RISE)
     warm = slice_coefficients(slice(0, ENVIRONMENT.start + 1))
     bias = np.arange(warm.stop) % (2 * TERMS) < TERMS
-    found, expected = told.mean[warm][bias], true[warm][bias]
+    found, expected = estimated.mean[warm][bias], true[warm][bias]
     for signal in np.split(np.arange(len(found)), ENVIRONMENT.start + 1):
         tolerance = max(1e-3 * np.abs(expected[signal]).max(), 1e-5 * DEG_PER_H)
         assert found[signal] == pytest.approx(expected[signal], abs=tolerance)
 
 
-def test_a_flight_is_corrected(fmu: GyroFmu, told: ToldMap) -> None:
+def test_a_flight_is_corrected(fmu: GyroFmu, estimated: EstimatedMap) -> None:
     """What the maps make of the increments of ten minutes of a warming gyro that weaves and sways,
     and what is left: a hundredth."""
     time = STEP * np.arange(60_001) - STILL
@@ -63,7 +67,7 @@ def test_a_flight_is_corrected(fmu: GyroFmu, told: ToldMap) -> None:
         ends, _ = gyro.record(moving, held, STEP, ["gyroAngle", "patternAngle"])
     pattern = np.concatenate([[0.7], ends[:, 1]])
     rotation = np.diff(ends[:, 0], prepend=0.0)
-    errors = compute_angle_errors(told, pattern, time, rotation, force)
+    errors = compute_angle_errors(estimated, pattern, time, rotation, force)
     begin = round(100 / STEP)
     error = np.cumsum((rotation - STEP * rate)[begin:])
     left = error - np.cumsum(errors[begin:])

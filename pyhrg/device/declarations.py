@@ -37,7 +37,7 @@ class EffectDeclaration:
 
 
 Family = Literal["gyro", "nominal", "bench", "record"]
-"""What is wrong: the gyro; a value that was told of it; the bench; or the record."""
+"""What is wrong: the gyro; a value that is stated of it; the bench; or the record."""
 
 
 @dataclass(frozen=True)

@@ -29,8 +29,8 @@ class Effect:
     periods: m, of the effect while the angle makes a full turn. The vector is then
         magnitude (cos m angle, sin m angle).
     family: what is wrong: the gyro, a nominal value, the bench or the record.
-    tolerance, relative_tolerance: standard deviation of a component about the told value, SI, or
-        over the told value if that is larger; 0 for an effect of the gyro.
+    tolerance, relative_tolerance: standard deviation of a component about the stated value, SI, or
+        over the stated value if that is larger; 0 for an effect of the gyro.
     imitators: names of errors of the bench that no test of a gyro can tell from it.
     """
 

@@ -1,7 +1,7 @@
 """What is known within a tolerance, integrated out of the normal equations.
 
 Every nominal value is a little wrong, and so is every bench. Such a parameter has a normal prior
-about its told value, with its tolerance as the standard deviation. It takes part in every
+about its stated value, with its tolerance as the standard deviation. It takes part in every
 hypothesis (docs/methods/effects.md, Eqs. 10 to 12). So has the form of a cause without a name. A
 parameter may also be wrong by far more: it is then a group of a set (Eq. 12a).
 """

@@ -68,9 +68,10 @@ class KnownValue:
     """A parameter known within a tolerance, as the tests show it: off, but by no more than that.
 
     parameter: its name; of a magnitude with an angle, that of the magnitude.
-    value, told: total value, and the one that was told, in the unit of the parameter's name.
+    value, stated: total value, and the one that the campaign states, in the unit of the parameter's
+        name.
     interval_95: of the value.
-    tolerance: one standard deviation of the value about the told one.
+    tolerance: one standard deviation of the value about the stated one.
     parameters: total value of each of its parameters, an angle among them, by name.
     """
 
@@ -78,7 +79,7 @@ class KnownValue:
     family: Family
     parameter: str
     value: float
-    told: float
+    stated: float
     interval_95: tuple[float, float]
     tolerance: float
     parameters: Mapping[str, float]

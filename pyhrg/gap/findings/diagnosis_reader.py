@@ -95,7 +95,7 @@ def _parse_known(table: TomlTable) -> KnownValue:
         _parse_family(table),
         table.text("parameter", None),
         table.finite_number("value"),
-        table.finite_number("told"),
+        table.finite_number("stated"),
         parse_interval(table, "interval_95"),
         table.finite_number("tolerance"),
         parse_numbers(table.table("parameters")),

@@ -234,7 +234,7 @@ def _describe_known(known: KnownValue) -> str:
     low, high = (scale * end for end in known.interval_95)
     value = format_interval(scale * known.value, low, high)
     label = f"{format_effect(known.name)}: {_label(words, known.name)}"
-    nominal = format_number(scale * known.told)
+    nominal = format_number(scale * known.stated)
     return f"Within its tolerance: {label}{value} {unit}, not {nominal}."
 
 

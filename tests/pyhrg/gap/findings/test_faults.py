@@ -30,7 +30,12 @@ def test_both_signs_make_one_cause() -> None:
 def test_what_is_within_its_tolerance_is_listed() -> None:
     (lost,) = list_tolerated_faults(FAULTS)
     assert (lost.name, lost.family, lost.parameter) == ("lost_rows", "record", "lost_rows_percent")
-    assert (lost.value, lost.told, lost.interval_95, lost.tolerance) == (0.4, 0.0, (0.4, 0.4), 1.0)
+    assert (lost.value, lost.stated, lost.interval_95, lost.tolerance) == (
+        0.4,
+        0.0,
+        (0.4, 0.4),
+        1.0,
+    )
 
 
 def test_what_is_uncertain_is_no_cause() -> None:

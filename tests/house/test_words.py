@@ -3,6 +3,7 @@
 import ast
 import re
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
@@ -27,15 +28,19 @@ IRREGULAR = {
     *("drawn", "flown", "found", "given", "gone", "heard", "held", "kept", "known", "left", "made"),
     *("seen", "shown", "spent", "spoilt", "taken", "told", "thrown", "written"),
 }
+NO_NOUNS = {"one", "told"}
+"""Names that say nothing of a value."""
 VERBS = {"embed", "exceed", "feed", "need", "proceed", "seed", "speed"}
 """Words that end as a participle does and are none."""
 
 
-def files() -> Iterator[tuple[str, ast.Module]]:
-    for package in PACKAGES:
-        for file in sorted((ROOT / package).rglob("*.py")):
-            name = file.relative_to(ROOT).as_posix()
-            yield name, ast.parse(file.read_text(encoding="utf-8"))
+@cache
+def files() -> list[tuple[str, ast.Module]]:
+    return [
+        (file.relative_to(ROOT).as_posix(), ast.parse(file.read_text(encoding="utf-8")))
+        for package in PACKAGES
+        for file in sorted((ROOT / package).rglob("*.py"))
+    ]
 
 
 def glosses(tree: ast.Module) -> Iterator[tuple[int, str]]:
@@ -88,3 +93,14 @@ def test_functions_are_verbs() -> None:
         if is_participle(node.name.strip("_"))
     ]
     assert participles == []
+
+
+def test_values_have_nouns_for_names() -> None:
+    nameless = [
+        f"{name}:{node.lineno}"
+        for name, tree in files()
+        for node in ast.walk(tree)
+        if (isinstance(node, ast.arg) and node.arg in NO_NOUNS)
+        or (isinstance(node, ast.Name) and node.id in NO_NOUNS)
+    ]
+    assert nameless == []

@@ -68,7 +68,7 @@ def test_a_finding_is_in_the_unit_that_it_names(result: TestResult) -> None:
         assert finding.unit == "deg/h"
         assert finding.value == row["value"]
         assert finding.interval == (row["low_95"], row["high_95"])
-        assert finding.si_value == finding.value * DEG_PER_H
+        assert finding.si_value == pytest.approx(finding.value * DEG_PER_H, rel=1e-15, abs=0.0)
 
 
 def test_rows_are_numbers(result: TestResult) -> None:

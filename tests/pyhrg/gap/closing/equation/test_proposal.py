@@ -14,7 +14,7 @@ from pyhrg.gap.closing.equation.proposal import (
 )
 from pyhrg.gap.closing.equation.series import estimate_terms
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
-from pyhrg.gap.effects.jump import make_bias_jump, make_step
+from pyhrg.gap.effects.jump import Jump, make_bias_jump, make_step
 from pyhrg.gap.evidence.hypothesis import NO_ERROR
 from pyhrg.gap.evidence.posterior import Posterior
 from pyhrg.gap.evidence.search import rank_sets
@@ -94,9 +94,22 @@ def test_place_and_names(
     "term",
     [
         CandidateTerm("amplitude", "time", "a value for each power-on"),
-        *(make_step([("still", 30.0)], 0.0, kind) for kind in ("pattern", "output")),
-        make_bias_jump([("still", 30.0)], 0.0),
+        make_step([("still", 30.0)], 0.0, "pattern"),
     ],
 )
-def test_jumps_and_values_for_each_power_on_are_no_equations(term: CandidateTerm) -> None:
+def test_steps_of_the_pattern_and_values_for_each_power_on_are_no_equations(
+    term: CandidateTerm,
+) -> None:
     assert list_coefficients(term) == ()
+
+
+@pytest.mark.parametrize(
+    ("jump", "name"),
+    [
+        (make_step([("still", 30.0)], 0.0, "output"), "readout_jump1_arcsec"),
+        (make_bias_jump([("still", 30.0)], 0.0), "bias_jump1_deg_h"),
+    ],
+)
+def test_a_jump_has_a_size_in_its_test(jump: Jump, name: str) -> None:
+    (coefficient,) = list_coefficients(jump)
+    assert (coefficient.name, coefficient.basis.test) == (name, "still")

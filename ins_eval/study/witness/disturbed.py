@@ -14,6 +14,9 @@ from pyhrg.records.log import Log
 
 NOMINAL = {"amplitude_setpoint": 1.0, "phase_offset": 0.0, "drive_on": 1.0, "bias_voltage": 1.0}
 """Inputs that a flight does not command."""
+READ_AT_END = ("gyro_angle", "wave_angle")
+AVERAGED = ("amplitude_force", "quadrature_force", "frequency_offset")
+"""Columns of a log that a flight records at the ends of its rows, and as means over them."""
 
 
 @dataclass(frozen=True)
@@ -34,10 +37,8 @@ class DisturbedGyro:
         """(n,) inputs of the FMU by its names; `angularRate` is what is added to it, rad/s."""
         held = {**self.course.held, **self.disturbance.inputs(self.course, self.start)}
         named = {HELD_INPUTS[n]: held[n] for n in held if n in HELD_INPUTS}
-        added = self.disturbance.rate(self.course, self.start)
-        if self.disturbance.rate_at_amplitude:
-            amplitude = np.ones_like(self.course.rate)
-            added = added + self.disturbance.rate_at_amplitude(self.course, self.start, amplitude)
+        amplitude = np.ones_like(self.course.rate)
+        added = self.disturbance.compute_rate(self.course, self.start, amplitude)
         rate = np.broadcast_to(added, self.course.rate.shape)[:, 0]
         return {**named, "angularRate": rate}
 
@@ -51,25 +52,15 @@ class DisturbedGyro:
             "table_angle": course.table_angle_at_ends,
             "temperature": course.case_temperature[1:],
             "amplitude": np.ones(len(course)),
-            **dict(zip(("gyro_angle", "wave_angle"), ends.T, strict=True)),
-            **dict(
-                zip(
-                    ("amplitude_force", "quadrature_force", "frequency_offset"),
-                    means.T,
-                    strict=True,
-                )
-            ),
+            **dict(zip(READ_AT_END, ends.T, strict=True)),
+            **dict(zip(AVERAGED, means.T, strict=True)),
         }
         missing = {c.field: np.full(len(course), np.nan) for c in COLUMNS}
         log = Log(source="flight", interval=course.interval, **{**missing, **commands, **recorded})
-        if self.disturbance.change_at_amplitude:
-            amplitude = np.ones_like(course.rate)
-            log = self.disturbance.change_at_amplitude(log, course, self.start, amplitude)
-        log = self.disturbance.shown(log)
-        ends[:] = np.column_stack([log.gyro_angle, log.wave_angle])
-        means[:] = np.column_stack(
-            [log.amplitude_force, log.quadrature_force, log.frequency_offset]
-        )
+        true = self.disturbance.change_log(log, course, self.start, np.ones_like(course.rate))
+        shown = self.disturbance.shown(true)
+        ends[:] = np.column_stack([getattr(shown, name) for name in READ_AT_END])
+        means[:] = np.column_stack([getattr(shown, name) for name in AVERAGED])
 
 
 def disturb_gyro(

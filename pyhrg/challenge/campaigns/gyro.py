@@ -44,6 +44,19 @@ class Disturbance:
     change_at_amplitude: Callable[[Log, Course, float, Array], Log] | None = None
     shown: Callable[[Log], Log] = lambda log: log
 
+    def compute_rate(self, course: Course, start_angle: float, amplitude: Array) -> Array:
+        """Added input rate at an amplitude of the vibration, (n, m) or (1, 1), rad/s."""
+        added = self.rate(course, start_angle)
+        if self.rate_at_amplitude:
+            added = added + self.rate_at_amplitude(course, start_angle, amplitude)
+        return added
+
+    def change_log(self, log: Log, course: Course, start_angle: float, amplitude: Array) -> Log:
+        """The true log of a simulated one at an amplitude of the vibration, (n, m)."""
+        if self.change_at_amplitude:
+            log = self.change_at_amplitude(log, course, start_angle, amplitude)
+        return log
+
 
 @dataclass(frozen=True)
 class TrueGyro:
@@ -76,9 +89,7 @@ class TrueGyro:
         disturbance, amplitude = self.disturbance, np.zeros((1, 1))
         if disturbance.rate_at_amplitude or disturbance.change_at_amplitude:
             amplitude = self._find_amplitude(source, course, start_angle)
-        added = noise + disturbance.rate(course, start_angle)
-        if disturbance.rate_at_amplitude:
-            added = added + disturbance.rate_at_amplitude(course, start_angle, amplitude)
+        added = noise + disturbance.compute_rate(course, start_angle, amplitude)
         shown = self._simulate(source, course, start_angle, added, OUTPUTS_AT_END)
         columns: dict[str, Any] = {**{name: course.held[name] for name in LOGGED_COMMANDS}, **shown}
         log = Log(
@@ -90,9 +101,7 @@ class TrueGyro:
             valid=np.full(len(course), np.nan),
             **columns,
         )
-        if disturbance.change_at_amplitude:
-            log = disturbance.change_at_amplitude(log, course, start_angle, amplitude)
-        return log
+        return disturbance.change_log(log, course, start_angle, amplitude)
 
     def _simulate(
         self,

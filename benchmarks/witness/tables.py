@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from benchmarks.witness.flown import MISSIONS, NONE, read_flights
+from benchmarks.witness.flown import MISSIONS, NONE, SEED, read_flights
 from ins_eval.study.gyros.drawn_triad import AXES
-from ins_eval.study.scores.resampling import bootstrap
+from ins_eval.study.scores.resampling import Estimate, bootstrap
 from ins_eval.study.tables.score import ALL
 from ins_eval.study.witness.judge import (
     CORRECTED,
@@ -60,7 +60,6 @@ SEALED = {"bench's maps": "by_bench", "channels": "by_channels", "true maps": "b
 """Corrections of flights with effects outside the model."""
 LEAST = 2
 """Smallest number of triads of which an interval is given."""
-SEED = 1
 
 
 def write_tables() -> str:
@@ -139,7 +138,7 @@ def _tabulate_sealed(rows: pd.DataFrame) -> str:
                     title,
                     _name_start(test),
                     f"{np.median(ratios):.2f}",
-                    f"{worst.value:.2f} ({worst.low:.2f} to {worst.high:.2f})",
+                    _format_score(worst),
                     f"{ratios.max():.2f}",
                     f"{table['followed'].sum():.0f} of {AXES * len(table)}",
                 ]
@@ -159,7 +158,7 @@ def _index(scores: Sequence[WitnessScore]) -> dict[tuple[float, str, str], Witne
     return {(s.self_test_s, s.score, s.of): s for s in scores if s.mission_class == ALL}
 
 
-def _format_score(score: WitnessScore) -> str:
+def _format_score(score: WitnessScore | Estimate) -> str:
     return f"{score.value:.2f} ({score.low:.2f} to {score.high:.2f})"
 
 

@@ -29,14 +29,16 @@ def intact(fmu: Fmu) -> Findings:
                 yield str(error)
 
 
-@rule("no path occurs twice or leads outside")
+@rule("no path occurs twice, leads outside or has a backslash")
 def safe_paths(fmu: Fmu) -> Findings:
-    """A path that an importer would write over another file."""
+    """ZIP, 4.4.17; a path that an importer would write over another file."""
     for name in sorted(name for name, count in Counter(fmu.names).items() if count > 1):
         yield f"{name} occurs more than once"
     for name in fmu.names:
         if name.startswith("/") or ".." in name.split("/"):
             yield f"{name} leads outside the archive's folder"
+        if "\\" in name:
+            yield f"{name} has a backslash, which is no separator of folders"
 
 
 @rule("files are stored or deflated, and not encrypted")

@@ -1,5 +1,6 @@
 """Rules on variables."""
 
+import re
 from collections import defaultdict
 from math import prod
 
@@ -8,10 +9,27 @@ from fmu_build.check.rules.rule import Findings, rule
 
 NUMBERS = ("Real", "Integer", "Enumeration", "Float", "Int", "UInt")
 
+PLAIN = r"[A-Za-z_]\w*"
+QUOTED = r"'(?:[\w!#$%&()*+,\-./:;<>=?@\[\]^{}|~ ]|\\['\"?\\abfnrtv])+'"
+PART = rf"(?:{PLAIN}|{QUOTED})(?:\[\d+(?:,\d+)*\])?"
+PATH = rf"{PART}(?:\.{PART})*"
+STRUCTURED = re.compile(rf"{PATH}|der\({PATH}(?:,\d+)?\)", re.ASCII)
+FLAT = re.compile(r"[^\r\n\t]+")
+
 
 def is_number(variable: Variable) -> bool:
     """Whether start, min and max are numbers."""
     return variable.kind.startswith(NUMBERS)
+
+
+@rule("variable names keep the naming convention")
+def names(fmu: Fmu) -> Findings:
+    """FMI 2.0.4, 2.2.9; FMI 3.0.2, "Variable Naming Conventions". FMPy's parser of names takes seconds for a gyro."""
+    convention = fmu.description.get("variableNamingConvention", "flat")
+    allowed = STRUCTURED if convention == "structured" else FLAT
+    for variable in fmu.variables:
+        if not allowed.fullmatch(variable.name):
+            yield f"{variable.name!r} is no {convention} name"
 
 
 @rule("value references are shared by aliases only")

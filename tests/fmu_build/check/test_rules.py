@@ -3,13 +3,16 @@
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
+from fmpy.validation import _validate_variable_names
 
 from fmu_build.bundle import build_fmu
 from fmu_build.check import fmu_checks
 from fmu_build.check.archive import open_fmu
 from fmu_build.check.rules.rule import RULES
+from fmu_build.check.rules.variables import STRUCTURED
 from pyhrg.common.errors import HrgError
 from tests.fmu_build.check.tampering import (
     Content,
@@ -47,7 +50,6 @@ def test_a_tampered_fmu_fails_by_name(
 @pytest.mark.parametrize(
     ("change", "finding"),
     [
-        (renamed("^sources/core.c", r"sources\\core.c"), "core.c"),
         (description('<Unit name="K/s">', '<Unit name="K/min">'), '"K/s"'),
         (description('<DisplayUnit name="deg" [^>]*>', ""), '"deg"'),
         (description('"gyroRate"', '"gyroAngle"'), '"gyroAngle"'),
@@ -60,6 +62,18 @@ def test_fmpy_finds_what_no_rule_of_ours_does(
     fmu = open_fmu(tampered(build_fmu(fmi=3), tmp_path, change))
     validation = next(c for c in fmu_checks.run_checks(fmu) if c.name == "FMPy validates it")
     assert any(finding in text for text in validation.findings), validation.findings
+
+
+def test_names_are_those_that_fmpy_accepts() -> None:
+    """One that it accepts and one that it refuses differ for each rule of the grammar."""
+    right = ["a", "_a9.b[1,20].c", "der(a.b)", "der(a[3],2)", r"'odd name!'.b", r"'a\'b'[2]"]
+    wrong = ["", "9a", "a.", "a[b]", "a[1", "a b", "der(a", "der(a,b)", "'a", "a-b", "é"]
+    for name in [*right, *wrong]:
+        variables = [SimpleNamespace(name=name, sourceline=1)]
+        described = SimpleNamespace(variableNamingConvention="structured", modelVariables=variables)
+        accepted = not _validate_variable_names(described)
+        assert accepted == (name in right), name
+        assert bool(STRUCTURED.fullmatch(name)) == accepted, name
 
 
 def test_compression_that_importers_need_not_know_is_found(tmp_path: Path) -> None:

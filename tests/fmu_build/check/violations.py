@@ -10,6 +10,9 @@ LAST_UNKNOWN = r'(<Unknown index="\d+" dependencies="[\d ]*" />)\s*(</InitialUnk
 
 CASES: list[tuple[str, int, Callable[[Content], None], str]] = [
     ("no path occurs twice", 2, added("../outside.txt"), "leads outside"),
+    ("no path occurs twice", 3, renamed("^sources/core.c", r"sources\\\\core.c"), "backslash"),
+    ("variable names keep", 2, description('"gyroRate"', '"gyro rate"'), "no structured name"),
+    ("variable names keep", 3, description('"gyroRate"', '"gyro..rate"'), "'gyro..rate' is no"),
     ("there are sources or binaries", 2, removed("^(sources|binaries)/"), "neither"),
     ("every platform's folder", 2, renamed("/HRG.so", "/Other.so"), "HRG.so is missing"),
     ("every platform's folder", 3, added("binaries/x86_64-windows/a.txt"), "HRG.dll is missing"),

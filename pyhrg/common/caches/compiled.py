@@ -2,6 +2,7 @@
 
 import hashlib
 import io
+import sys
 import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -81,8 +82,8 @@ def compile_loop(
     """Decorator: `numba.njit`, cached in `cache_folder`, or not at all if that is not usable. The
     function runs without Python's lock.
 
-    Numba's own place, beside the source file, would serve stale code after a change elsewhere.
-    `inline` is numba's.
+    Numba's own place, beside the source file, would serve stale code after a change elsewhere, and
+    compile again in each copy of the sources. `inline` is numba's.
     """
     if function is None:
         return lambda function: compile_loop(function, inline=inline)
@@ -94,5 +95,14 @@ def compile_loop(
         compiled: Any = numba.njit(cache=True, nogil=True, inline=inline)(function)
     finally:
         _SETTINGS.CACHE_DIR = before
-    compiled._cache._cache_file.__class__ = _CheckedFile
+    compiled._cache._cache_file = _CheckedFile(
+        str(cache_folder()), _name_files(function), source_stamp=None
+    )
     return compiled
+
+
+def _name_files(function: Callable[..., Any]) -> str:
+    """Beginning of the names of a function's files: the same wherever the sources lie. Pickles
+    depend on the version of Python."""
+    version = "".join(map(str, sys.version_info[:2]))
+    return f"{function.__module__}.{function.__qualname__}-py{version}"

@@ -78,6 +78,18 @@ def test_a_changed_source_gets_a_new_folder(tmp_path: Path) -> None:
     assert len(list_folders(cache)) == 2
 
 
+def test_a_copy_of_the_sources_compiles_nothing_anew(tmp_path: Path) -> None:
+    cache, copy = tmp_path / "cache", tmp_path / "copy"
+    skipped = shutil.ignore_patterns("__pycache__")
+    for package in ("ins_eval", "pyhrg"):
+        shutil.copytree(PACKAGES / package, copy / package, ignore=skipped)
+    first = read_output(start_process(cache))
+    kept = {path: path.stat().st_mtime_ns for path in cache.rglob("*.nb*")}
+    assert kept
+    assert read_output(start_process(cache, copy)) == first
+    assert {path: path.stat().st_mtime_ns for path in cache.rglob("*.nb*")} == kept
+
+
 def test_a_folder_that_cannot_be_written_does_no_harm(tmp_path: Path) -> None:
     """A file stands in the cache's way: no caching, not beside the sources either, and the same
     numbers."""

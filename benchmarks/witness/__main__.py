@@ -8,7 +8,8 @@ study [CALIBRATION TRAINING JUDGED]
                            R2 of the position error in linear flights of two hours, of triads whose
                            maps are calibrated (seed 1, as `hrg study standard`)
 flown [CALIBRATION sealed TRIADS FIRST]
-                           flies triads on the FMU at 1 kHz, from number FIRST on; with the word
+                           flies triads on the FMU at 1 kHz, from number FIRST on, five in each
+                           mission in turn, after a self-test; with the word
                            sealed, each gyro has a form outside the model. Those whose rows
                            docs/witness-flown.csv has are not flown again
 tables                     writes the tables of these rows into docs/witness-results.md
@@ -44,8 +45,6 @@ from pyhrg.witness.mechanisms import NAMES
 GYROS, TRAINING, JUDGED, FLOWN, BENCHED, ELECTRONICS = 24, 60, 80, 20, 16, 12
 FIRST_JUDGED = 100
 """Number of the first judged triad, as in `hrg study standard`."""
-FIRST_FLOWN = 105
-"""Number of the first triad that flies: none was developed on from here on."""
 STUDY_SEED = 1
 DURATION, ROW = 600.0, 0.1
 
@@ -189,7 +188,7 @@ if __name__ == "__main__":
     elif command == "confounded":
         print_confounded()
     elif command == "flown":
-        fly(words, *(numbers + [FLOWN, FIRST_FLOWN][len(numbers) :]))
+        fly(words, *(numbers + [FLOWN, flown.FIRST][len(numbers) :]))
     elif command == "tables":
         print(tables.write_tables())
     elif command == "benched":

@@ -1,9 +1,14 @@
-"""Flights on the FMU at 1 kHz, witnessed triad by triad, as `hrg study` judges them."""
+"""Flights on the FMU at 1 kHz, witnessed triad by triad, as `hrg study` judges them.
+
+Each triad flies one mission, and those of a group the same: many gyros tell more than one gyro in
+many missions.
+"""
 
 import subprocess
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import groupby
 from pathlib import Path
 
 import pandas as pd
@@ -24,6 +29,7 @@ from ins_eval.study.gyros.drawn_triad import (
 from ins_eval.study.predictors.prediction_columns import select_time
 from ins_eval.study.witness.believed import BelievedGyro
 from ins_eval.study.witness.block import TOGETHER, believe_triad, witness_triads
+from ins_eval.study.witness.self_test import SELF_TEST
 from ins_eval.study.witness.tabulate import tabulate_witnesses
 from pyhrg.common.arrays import Array
 from pyhrg.common.files import write_whole
@@ -34,6 +40,10 @@ MISSIONS = ("car", "city", "airliner", "long-haul", "ship")
 SENSORS = 10 * MICRO_G, 10 * ARCSEC
 INSIDE, SEED = 0.9, 1
 HOURS = 2.0
+FIRST = 105
+"""Number of the first triad that flies: none was developed on from here on."""
+TESTS = (SELF_TEST,)
+"""Durations of the self-test at power-on, s."""
 FILE = Path("docs/witness-flown.csv")
 """A row for each triad, mission and duration of the self-test: flights of `HOURS`, of `SEED`.
 Column `commit` names the code that flew."""
@@ -80,6 +90,7 @@ class Fleet:
             flying,
             numbers,
             {n: disturbances for n, (_, disturbances) in effects.items()},
+            TESTS,
         )
         tables = [
             self._tabulate(n, found, row, weights).assign(
@@ -99,26 +110,28 @@ class Fleet:
     ) -> pd.DataFrame:
         own = {name: values[[row]] for name, values in found.items()}
         block = tabulate_triads(self.fmus[1], [self.draw(number)[0]])
-        rows = tabulate_witnesses(own, block, weights, SENSORS, INSIDE, SEED + number)
+        rows = tabulate_witnesses(own, block, weights, SENSORS, INSIDE, SEED + number, TESTS)
         return rows.assign(triad=number)
 
 
 def fly_triads(fleet: Fleet, numbers: range, file: Path = FILE) -> Iterator[pd.DataFrame]:
-    """All rows of a file after each group of triads has flown a mission. What is in the file is not
-    flown again."""
-    for first in range(0, len(numbers), TOGETHER):
-        for mission in MISSIONS:
-            done = read_flights(file)
-            same = done[
-                (done["mission"] == mission) & ((done["effects"] != NONE) == fleet.is_sealed)
-            ]
-            flown = set(same.loc[same["calibration"] == fleet.distribution.method, "triad"])
-            if group := [n for n in numbers[first : first + TOGETHER] if n not in flown]:
-                rows = fleet.fly(mission, group)
-                write_flights(file, pd.concat([done, rows]) if len(done) else rows)
-                yield read_flights(file)
-        for number in numbers[first : first + TOGETHER]:
-            fleet.drawn.pop(number, None)
+    """All rows of a file after each group of triads has flown its mission. What is in the file is
+    not flown again."""
+    for mission, group in group_triads(numbers):
+        done = read_flights(file)
+        same = done[(done["mission"] == mission) & ((done["effects"] != NONE) == fleet.is_sealed)]
+        flown = set(same.loc[same["calibration"] == fleet.distribution.method, "triad"])
+        if left := [n for n in group if n not in flown]:
+            rows = fleet.fly(mission, left)
+            write_flights(file, pd.concat([done, rows]) if len(done) else rows)
+            yield read_flights(file)
+        fleet.drawn.clear()
+
+
+def group_triads(numbers: range) -> Iterator[tuple[str, list[int]]]:
+    """The mission of each group of triads: one of `MISSIONS` in turn."""
+    for group, members in groupby(numbers, lambda n: (n - FIRST) // TOGETHER):
+        yield MISSIONS[group % len(MISSIONS)], list(members)
 
 
 def read_flights(file: Path = FILE) -> pd.DataFrame:

@@ -49,14 +49,15 @@ def witness_triads(
     triads: Mapping[int, tuple[DrawnTriad, Sequence[BelievedGyro]]],
     numbers: Sequence[int],
     disturbances: Mapping[int, Sequence[Disturbance]] | None = None,
+    tests: Sequence[float] = TESTS,
 ) -> dict[str, Array]:
-    """(r, TESTS, ...) fields of `WitnessedFlight` in a mission, NaN for triads that are not
+    """(r, t, ...) fields of `WitnessedFlight` in a mission, NaN for triads that are not
     witnessed.
 
     fmus: `HRG` and `HRGSlow`; weights: at the mission's end alone; mission: its number in the
     study, with which a triad's seed decides the noise; triads: those that are witnessed, by number;
     numbers: (r,) of the whole block; disturbances: effects outside the model, of each gyro of the
-    triads, by number.
+    triads, by number; tests: (t,) durations of the self-test, s.
     """
     flown = list(triads.items())
     flights: dict[int, list[WitnessedFlight]] = {number: [] for number in triads}
@@ -65,17 +66,18 @@ def witness_triads(
         drawn, believed = [each for _, (each, _) in part], [each for _, (_, each) in part]
         effects = [disturbances[number] for number, _ in part] if disturbances else []
         noise = [seed_noise(each, mission) for each in drawn]
-        for test in TESTS:
+        for test in tests:
             recorded = fly_with_channels(fmus[0], truth, drawn, noise, test, effects)
             witnessed = witness_flights(fmus, weights, drawn, believed, recorded)
             for (number, _), each in zip(part, witnessed, strict=True):
                 flights[number].append(each)
     return {
-        name: np.stack([_stack(flights.get(number), name) for number in numbers]) for name in SHAPES
+        name: np.stack([_stack(flights.get(number), name, len(tests)) for number in numbers])
+        for name in SHAPES
     }
 
 
-def _stack(flights: list[WitnessedFlight] | None, name: str) -> Array:
+def _stack(flights: list[WitnessedFlight] | None, name: str, count: int) -> Array:
     if flights is None:
-        return np.full((len(TESTS), *SHAPES[name]), np.nan)
+        return np.full((count, *SHAPES[name]), np.nan)
     return np.stack([getattr(each, name) for each in flights])

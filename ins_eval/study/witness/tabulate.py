@@ -1,6 +1,6 @@
 """The rows of witness.csv: flights whose gyros' channels were read."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -31,12 +31,13 @@ def tabulate_witnesses(
     sensors: tuple[float, float],
     inside: float,
     seed: int,
+    tests: Sequence[float] = TESTS,
 ) -> pd.DataFrame:
     """Rows of the witnessed triads in one mission, of each self-test in turn.
 
-    found: (r, TESTS, ...) fields of `WitnessedFlight`; weights: at the mission's end alone;
+    found: (r, t, ...) fields of `WitnessedFlight`; weights: at the mission's end alone;
     sensors: standard deviations of the accelerometers' biases, m/s^2, and of each input axis' lean,
-    rad; inside: probability of the intervals.
+    rad; inside: probability of the intervals; tests: (t,) durations of the self-test, s.
     """
     rows = np.flatnonzero(np.isfinite(found["flown"][:, 0, 0]))
     chosen = triads.select(rows.tolist())
@@ -47,7 +48,7 @@ def tabulate_witnesses(
     )
     true = true_parameters.predict(weights, chosen.in_flight, true_other)
     tables = []
-    for place, test in enumerate(TESTS):
+    for place, test in enumerate(tests):
         here = {name: values[rows, place] for name, values in found.items()}
         predictions = {
             key: NormalPrediction(here[key][:, None], here[f"{key}_covariance"][:, None] + other)

@@ -7,7 +7,7 @@ many missions.
 import subprocess
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import groupby
 from pathlib import Path
 
@@ -18,7 +18,7 @@ from benchmarks.witness.sealed import draw_effects
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import plan_mission
 from ins_eval.mission_model.weights_cache import load_mission_weights
-from ins_eval.study.cosimulated import sample_truth
+from ins_eval.study.cosimulated import MissionTruth, sample_truth
 from ins_eval.study.gyros.drawn_triad import (
     DrawnTriad,
     TriadDistribution,
@@ -77,14 +77,13 @@ class Fleet:
 
     def fly(self, mission: str, numbers: Sequence[int], hours: float = HOURS) -> pd.DataFrame:
         """Rows of flights of triads, by numbers, in a mission."""
-        planned = plan_mission(mission, hours)
-        weights = select_time(load_mission_weights(planned), -1)
+        weights, truth = _plan(mission, hours)
         flying = {n: self.draw(n) for n in numbers}
         place = MISSIONS.index(mission)
         effects = {n: draw_effects(self.draw(n)[0]) for n in numbers if self.is_sealed}
         found = witness_triads(
             self.fmus,
-            sample_truth(planned),
+            truth,
             weights,
             place,
             flying,
@@ -112,6 +111,12 @@ class Fleet:
         block = tabulate_triads(self.fmus[1], [self.draw(number)[0]])
         rows = tabulate_witnesses(own, block, weights, SENSORS, INSIDE, SEED + number, TESTS)
         return rows.assign(triad=number)
+
+
+@cache
+def _plan(mission: str, hours: float) -> tuple[MissionWeights, MissionTruth]:
+    planned = plan_mission(mission, hours)
+    return select_time(load_mission_weights(planned), -1), sample_truth(planned)
 
 
 def fly_triads(fleet: Fleet, numbers: range, file: Path = FILE) -> Iterator[pd.DataFrame]:

@@ -154,7 +154,7 @@ def calibrate_mean_bias(bench: Bench) -> float:
     """Measure a gyro's mean bias, rad/s, as its maker does: the mean of the map fitted to eight
     positions of the circumference, 100 s each, in a power-on of its own."""
     power_ons = full_circumference.make_power_ons(bench, full_circumference.SHORTEST, 1, segments=1)
-    calibration = bench.campaign([bench.log(power_on) for power_on in power_ons])
+    calibration = bench.campaign(bench.log_all(power_ons))
     return full_circumference.measure_mean_bias(calibration)
 
 

@@ -2,8 +2,10 @@
 
 import math
 import zlib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
+from itertools import groupby
 from typing import Any
 
 import numpy as np
@@ -33,6 +35,9 @@ LOOP_OUTPUTS = tuple(name for name in OUTPUTS_AVERAGED if name != "valid")
 MAX_TEST_ROWS = 2_000_000
 """Largest number of rows of a test's power-ons. Chosen: ten times those of the largest test; their
 logs take 0.3 GB."""
+TOGETHER = 4
+"""Largest number of power-ons that are simulated side by side. Chosen: as fast as more
+(`benchmarks/speed.py`), and an interruption loses no more."""
 NAMELESS = "gyro without a name"
 """Name of a device that has none, in campaigns and reports."""
 
@@ -89,7 +94,15 @@ class Bench:
                 f"a plan of {len(power_ons)} power-ons with {rows} rows: expected at most "
                 f"{MAX_TEST_ROWS} rows"
             )
-        return self.fmu.map(self.log, power_ons, self.workers)
+        share = max(1, math.ceil(len(power_ons) / self.workers))
+        parts = [power_ons[first : first + share] for first in range(0, len(power_ons), share)]
+        groups = [group for part in parts for group in _group_alike(part)]
+        logged = self.fmu.map(self._log_alike, groups, self.workers)
+        return [test for tests in logged for test in tests]
+
+    def log_all(self, power_ons: Sequence[PowerOn]) -> list[Test]:
+        """Tests of the power-ons, in their order, on this thread."""
+        return [test for group in _group_alike(power_ons) for test in self._log_alike(group)]
 
     def power_on(self, identity: str, start_angle: float | None = None) -> Gyro:
         """The gyro, switched on, with noise, start angle and parameters drawn for this power-on.
@@ -115,38 +128,56 @@ class Bench:
 
     def log(self, power_on: PowerOn) -> Test:
         """Test of one power-on: simulated, or from the store where an interrupted run kept it."""
-        log, store = None, self.store
-        if store:
-            key = compute_key(
-                power_on.programme,
-                **{"id": power_on.id, "seed": self.seed, "step": self.step},
-                **{"fmu": self.fmu.folder.name, "device": self.device},
-                **{"start_angle": power_on.start_angle},
-            )
-            log = store.load(key)
-        if log is None:
-            log = self._simulate(power_on)
+        return self._log_alike([power_on])[0]
+
+    def _log_alike(self, power_ons: Sequence[PowerOn]) -> list[Test]:
+        """Tests of power-ons of one number and length of rows, which are simulated together."""
+        store = self.store
+        keys = [self._compute_key(each) for each in power_ons]
+        logs = {k: log for k in keys if store and (log := store.load(k)) is not None}
+        missing = [(k, each) for k, each in zip(keys, power_ons, strict=True) if k not in logs]
+        simulated = self._simulate([each for _, each in missing])
+        for (key, _), log in zip(missing, simulated, strict=True):
+            logs[key] = log
             if store:
                 store.keep(key, log)
-        self.on_power_on(power_on.programme.time)
-        recording = replace(log, source=power_on.id)
-        return Test(id=power_on.id, kind=power_on.kind, role="fit", recording=recording)
+        tests = []
+        for key, each in zip(keys, power_ons, strict=True):
+            self.on_power_on(each.programme.time)
+            recording = replace(logs[key], source=each.id)
+            tests.append(Test(id=each.id, kind=each.kind, role="fit", recording=recording))
+        return tests
 
-    def _simulate(self, power_on: PowerOn) -> Log:
-        programme = power_on.programme
-        commands = {name: programme.values(name) for name in COMMANDS}
-        held = {name: commands[name] for name in HELD_INPUTS}
-        with self.power_on(power_on.id, power_on.start_angle) as gyro:
-            moving = self._moving_inputs(programme)
-            outputs = record_rows(gyro, moving, held, self.step)
-        columns: dict[str, Any] = {
-            "time": np.arange(1, len(programme) + 1) * programme.interval,
-            "table_angle": programme.table_angle,
-            "temperature": programme.temperature[1:],
-            **{name: commands[name] for name in LOGGED_COMMANDS},
-            **outputs,
-        }
-        return Log(source=power_on.id, interval=programme.interval, exclusions=(), **columns)
+    def _compute_key(self, power_on: PowerOn) -> str:
+        """What the store keeps the log by."""
+        return compute_key(
+            power_on.programme,
+            **{"id": power_on.id, "seed": self.seed, "step": self.step},
+            **{"fmu": self.fmu.folder.name, "device": self.device},
+            **{"start_angle": power_on.start_angle},
+        )
+
+    def _simulate(self, power_ons: Sequence[PowerOn]) -> list[Log]:
+        commands = [{n: each.programme.values(n) for n in COMMANDS} for each in power_ons]
+        held = [{name: each[name] for name in HELD_INPUTS} for each in commands]
+        moving = [self._moving_inputs(each.programme) for each in power_ons]
+        with ExitStack() as stack:
+            gyros = [
+                stack.enter_context(self.power_on(each.id, each.start_angle)) for each in power_ons
+            ]
+            recorded = record_rows_together(gyros, moving, held, self.step) if gyros else []
+        logs = []
+        for each, own, outputs in zip(power_ons, commands, recorded, strict=True):
+            programme = each.programme
+            columns: dict[str, Any] = {
+                "time": np.arange(1, len(programme) + 1) * programme.interval,
+                "table_angle": programme.table_angle,
+                "temperature": programme.temperature[1:],
+                **{name: own[name] for name in LOGGED_COMMANDS},
+                **outputs,
+            }
+            logs.append(Log(source=each.id, interval=programme.interval, exclusions=(), **columns))
+        return logs
 
     def campaign(self, tests: Sequence[Test]) -> Campaign:
         """A campaign of the tests, with the device's design values as nominal values."""
@@ -159,6 +190,13 @@ class Bench:
         course = make_course(programme, self.step)
         earth = compute_earth_rate(self.device, course.each("axis_up"), course.table_angle)
         return {"angularRate": course.rate + earth, "caseTemperature": course.temperature}
+
+
+def _group_alike(power_ons: Sequence[PowerOn]) -> Iterator[list[PowerOn]]:
+    """Neighbours of one number and length of rows."""
+    for _, alike in groupby(power_ons, lambda p: (p.programme.interval, len(p.programme))):
+        group = list(alike)
+        yield from (group[i : i + TOGETHER] for i in range(0, len(group), TOGETHER))
 
 
 def record_rows(
@@ -176,25 +214,23 @@ def record_rows(
     the FMU's names, SI; `held` are (n,) inputs by their names in a programme, SI; `means` are
     fields that are averaged over each row, `at_end` the FMU's names of others.
     """
-    return record_rows_together([gyro], [moving], held, step, means, at_end)[0]
+    return record_rows_together([gyro], [moving], [held], step, means, at_end)[0]
 
 
 def record_rows_together(
     gyros: Sequence[Gyro],
     moving: Sequence[Mapping[str, Array]],
-    held: Mapping[str, Array],
+    held: Sequence[Mapping[str, Array]],
     step: float,
     means: Sequence[str] = tuple(OUTPUTS_AVERAGED),
     at_end: Mapping[str, str] = OUTPUTS_AT_END,
 ) -> list[dict[str, Array]]:
-    """`record_rows` of gyros of one FMU that were switched on at the same time and whose held
-    inputs are the same: the same bits as one by one, faster."""
-    commands = {HELD_INPUTS[name]: values for name, values in held.items()}
+    """`record_rows` of gyros of one FMU that were switched on at the same time: the same bits as
+    one by one, faster."""
+    commands = [{HELD_INPUTS[name]: values for name, values in each.items()} for each in held]
     averaged = [OUTPUTS_AVERAGED[name] for name in means]
     names, interval = (*at_end, *means), step * next(iter(moving[0].values())).shape[1]
-    outputs = record_together(
-        gyros, moving, [commands] * len(gyros), step, list(at_end.values()), averaged
-    )
+    outputs = record_together(gyros, moving, commands, step, list(at_end.values()), averaged)
     recorded = []
     for ends, rows in outputs:
         fields = dict(zip(names, [*ends.T, *rows.T], strict=True))

@@ -1,5 +1,6 @@
-"""Every model of `HRG.Validation` keeps its claim: at all angles, with a signature that is seen, and
-with nothing to be seen where the mechanism is absent. `test_fidelities.py` holds HRGSlow to HRG."""
+"""Every model of `HRG.Validation` keeps its claim: at all angles, with a signature that is seen,
+and with nothing to be seen where the mechanism is absent. `test_fidelities.py` holds HRGSlow to
+HRG."""
 
 import re
 from collections.abc import Callable, Iterator

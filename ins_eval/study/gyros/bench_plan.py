@@ -73,7 +73,7 @@ def record_campaign(
     ]
     if fixed:
         power_ons += fixed_position.make_power_ons(bench, plan.fixed_runs, plan.fixed_segments)
-    return bench.campaign([bench.log(power_on) for power_on in power_ons])
+    return bench.campaign(bench.log_all(power_ons))
 
 
 @cache

@@ -75,7 +75,7 @@ def calibrate_once(bench: Bench, plan: Plan | None = None) -> Calibration:
     """A maker's calibration: the maps of the gyro as it is, from one power-on at each position,
     one segment each, and one of each turn."""
     power_ons = plan_power_ons(bench, plan, runs=1, segments=1)
-    return fit_maps(bench.campaign([bench.log(task) for task in power_ons]))
+    return fit_maps(bench.campaign(bench.log_all(power_ons)))
 
 
 def apply_maps(device: Device, calibration: Calibration, angle: float = 0.0) -> Device:

@@ -222,18 +222,21 @@ class KnownParameters:
         effects = [g for g in self.whole.groups if isinstance(g, Effect)]
         own = self._list_columns(g for g in effects if g not in self.tolerances)
         cross = gram[np.ix_(cause, own)]
-        inside = (
-            cross * (np.linalg.pinv(gram[np.ix_(cause, cause)], PINV_SHARE, True) @ cross)
-        ).sum(0)
+        inside = (cross * (self._invert(cause) @ cross)).sum(axis=0)
         shared = set(own[1 - inside < MIN_SHARE])
         return self._list_columns(g for g in effects if shared & set(self.whole.columns[g]))
 
     @cached_property
     def _shares(self) -> Array:
-        """(t, f) sizes with which the terms explain most of each form, in units of the columns."""
-        gram = self.whole.gram
-        cross = gram[np.ix_(self._of_terms, self._of_forms)]
-        return np.asarray(np.linalg.solve(gram[np.ix_(self._of_terms, self._of_terms)], cross))
+        """(t, f) sizes with which the terms explain most of each form, in units of the columns.
+        Under some noises two terms are the same function, or one is not seen."""
+        gram, terms = self.whole.gram, self._of_terms
+        return self._invert(terms) @ gram[np.ix_(terms, self._of_forms)]
+
+    def _invert(self, columns: NDArray[np.int64]) -> Array:
+        """The inverse of the normal equations of some columns, where these are told apart."""
+        own = self.whole.gram[np.ix_(columns, columns)]
+        return np.asarray(np.linalg.pinv(own, PINV_SHARE, hermitian=True))
 
     @property
     def _of_terms(self) -> NDArray[np.int64]:

@@ -179,7 +179,9 @@ def _replay_few(
             angle = _find_start_angle(device, inputs)
             gyros.append(stack.enter_context(fmu.power_on(parameters, seed=0, start_angle=angle)))
             varying.append(moving)
-        recorded = record_rows_together(gyros, varying, held, step, LOOP_OUTPUTS, READ_AT_END)
+        recorded = record_rows_together(
+            gyros, varying, [held] * len(gyros), step, LOOP_OUTPUTS, READ_AT_END
+        )
     ideal = Device()
     changes = [read_change(r, ideal, d, log) for r, (d, _) in zip(recorded, runs, strict=True)]
     return [

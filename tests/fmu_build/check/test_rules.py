@@ -19,7 +19,6 @@ from tests.fmu_build.check.tampering import (
     damaged,
     description,
     removed,
-    renamed,
     tampered,
 )
 from tests.fmu_build.check.violations import CASES

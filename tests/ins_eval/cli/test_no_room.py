@@ -67,7 +67,7 @@ def test_a_full_disk(command: str, disk: Path) -> None:
     assert list_files(disk) == [filler.name]
 
 
-@pytest.mark.parametrize("command", ["bench", "study", "gap challenge"])
+@pytest.mark.parametrize("command", ["bench", "study"])
 def test_a_disk_that_fills_midway(command: str, disk: Path) -> None:
     """What is whole may stay. The same command goes on when there is room. `validate` and
     `study challenge` write as `study` does."""

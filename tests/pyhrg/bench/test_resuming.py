@@ -4,6 +4,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -79,9 +80,9 @@ def count_simulated(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     made: list[str] = []
     simulate = Bench._simulate
 
-    def recorded(bench: Bench, power_on: PowerOn) -> object:
-        made.append(power_on.id)
-        return simulate(bench, power_on)
+    def recorded(bench: Bench, power_ons: Sequence[PowerOn]) -> object:
+        made.extend(power_on.id for power_on in power_ons)
+        return simulate(bench, power_ons)
 
     monkeypatch.setattr(Bench, "_simulate", recorded)
     return made

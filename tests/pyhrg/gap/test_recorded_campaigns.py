@@ -1,5 +1,5 @@
 """Campaigns of another simulator, whose truth is known: named exactly, and sized, and also as a
-lab's recorder would have brought them home."""
+lab's recorder would have brought them home. `benchmarks/recorded.py` diagnoses all of them."""
 
 import json
 import re
@@ -20,7 +20,7 @@ WIDER = 1.3
 """Half width over that of 95 %: six parameters, of which one in twenty lies outside."""
 
 
-@pytest.mark.parametrize("number", range(1, 7))
+@pytest.mark.parametrize("number", [1, 4, 6])
 def test_the_truth_is_named(simulation: Simulation, recorded_campaign: Path, number: int) -> None:
     folder = recorded_campaign.parent / f"dev-0{number}"
     found = diagnose(campaign.read_campaign(folder), simulation=simulation).diagnosis

@@ -33,6 +33,7 @@ TIME = np.arange(ROWS) * 1.0
 NOTHING = np.zeros(ROWS)
 WALKING = replace(build_angle_noise(BELIEVED), rate_random_walk=0.03 * DEG_PER_H / HOUR**0.5)
 NO_FIT = Fit((), 0.0, 0.0, (), ())
+SEED = 1
 WHITE = 1e-6
 """Noise of the other channels."""
 
@@ -59,16 +60,15 @@ def parts_of(noise: NoiseModel, seed: int, added: Array) -> list[LinearTest]:
 
 
 def found(
-    noise: NoiseModel, seed: int, added: Array = NOTHING, noises: Sequence[NoiseEffect] = NOISES
+    noise: NoiseModel, added: Array = NOTHING, noises: Sequence[NoiseEffect] = NOISES
 ) -> Posterior:
-    parts = parts_of(noise, seed, added)
+    parts = parts_of(noise, SEED, added)
     first = rank_under_noise(NoiseHypothesis(build_angle_noise(BELIEVED), ()), BELIEVED, parts)
     return compare_noises(first, BELIEVED, parts, noises)
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3])
-def test_a_walking_rate_is_noise(seed: int) -> None:
-    posterior = found(WALKING, seed)
+def test_a_walking_rate_is_noise() -> None:
+    posterior = found(WALKING)
     assert [added.effect.name for added in posterior.best.noise.added] == ["rate_random_walk"]
     assert posterior.best.ranking.best.groups == ()
     kinds = [one.noise.kind for one in posterior.hypotheses]
@@ -76,50 +76,45 @@ def test_a_walking_rate_is_noise(seed: int) -> None:
     assert sum(posterior.probabilities) == pytest.approx(1.0)
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3])
-def test_a_bias_is_no_noise(seed: int) -> None:
-    hypothesis = found(build_angle_noise(BELIEVED), seed, 0.02 * DEG_PER_H * TIME).best
+def test_a_bias_is_no_noise() -> None:
+    hypothesis = found(build_angle_noise(BELIEVED), 0.02 * DEG_PER_H * TIME).best
     assert hypothesis.noise.added == ()
     assert hypothesis.noise.unnamed is None
     assert len(hypothesis.ranking.best.groups) == 1
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3])
-def test_a_jump_of_the_bias_is_no_walk(seed: int) -> None:
+def test_a_jump_of_the_bias_is_no_walk() -> None:
     jump = 0.02 * DEG_PER_H * np.maximum(TIME - 1234.0, 0.0)
-    posterior = found(build_angle_noise(BELIEVED), seed, jump)
+    posterior = found(build_angle_noise(BELIEVED), jump)
     assert posterior.best.noise.added == ()
     (group,) = posterior.best.ranking.best.groups
     assert isinstance(group, Jump)
     ((test, time),) = group.times
-    assert test == f"test-{10 * seed + 1}"
+    assert test == f"test-{10 * SEED + 1}"
     assert time == pytest.approx(1234.0, abs=60.0)
     assert posterior.unknown_probability > 0.99
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3])
-def test_a_step_of_the_angle_is_no_walk(seed: int) -> None:
-    posterior = found(build_angle_noise(BELIEVED), seed, 5 * ARCSEC * (TIME > 1234.0))
+def test_a_step_of_the_angle_is_no_walk() -> None:
+    posterior = found(build_angle_noise(BELIEVED), 5 * ARCSEC * (TIME > 1234.0))
     assert posterior.best.noise.added == ()
     (group,) = posterior.best.ranking.best.groups
     assert isinstance(group, Jump)
     assert group.kind in ("pattern", "output")
-    assert group.times == ((f"test-{10 * seed + 1}", 1236.0),)
+    assert group.times == ((f"test-{10 * SEED + 1}", 1236.0),)
     assert posterior.unknown_probability > 0.99
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3])
-def test_the_stated_noise_is_enough(seed: int) -> None:
-    posterior = found(build_angle_noise(BELIEVED), seed)
+def test_the_stated_noise_is_enough() -> None:
+    posterior = found(build_angle_noise(BELIEVED))
     assert posterior.best.noise.added == ()
     assert posterior.best.ranking.best.groups == ()
     assert posterior.unknown_probability < 0.1
 
 
-@pytest.mark.parametrize("seed", [1, 2])
-def test_a_walk_that_the_catalogue_lacks_is_unnamed(seed: int) -> None:
+def test_a_walk_that_the_catalogue_lacks_is_unnamed() -> None:
     others = [noise for noise in NOISES if noise.name != "rate_random_walk"]
-    posterior = found(WALKING, seed, noises=others)
+    posterior = found(WALKING, noises=others)
     assert posterior.unknown_probability > 0.99
 
 
@@ -148,19 +143,17 @@ def test_probabilities_are_those_of_all_hypotheses() -> None:
     assert Posterior((silent, walks), (0.6, 0.4)).equivalents(SILENT.name) == ("rate_random_walk",)
 
 
-@pytest.mark.parametrize("seed", [1, 2])
 @pytest.mark.parametrize("correlated", [CorrelatedNoise(0.1 * ARCSEC, 30.0, of_rate=False)])
-def test_an_unnamed_noise_stays_a_noise(correlated: CorrelatedNoise, seed: int) -> None:
-    posterior = found(replace(build_angle_noise(BELIEVED), correlated=correlated), seed)
+def test_an_unnamed_noise_stays_a_noise(correlated: CorrelatedNoise) -> None:
+    posterior = found(replace(build_angle_noise(BELIEVED), correlated=correlated))
     assert posterior.best.noise.unnamed is not None
     assert posterior.best.ranking.best.groups == ()
     assert posterior.unknown_probability > 0.9
 
 
-@pytest.mark.parametrize("seed", [1, 2])
-def test_noise_beside_a_large_bias_is_noise(seed: int) -> None:
+def test_noise_beside_a_large_bias_is_noise() -> None:
     """The model error of a large response does not depend on the noise hypothesis."""
     noise = replace(build_angle_noise(BELIEVED), angle_random_walk=2 * BELIEVED.angle_random_walk)
-    posterior = found(noise, seed, 1.0 * DEG_PER_H * (TIME + 1.0))
+    posterior = found(noise, 1.0 * DEG_PER_H * (TIME + 1.0))
     assert [added.effect.name for added in posterior.best.noise.added] == ["angle_random_walk"]
     assert len(posterior.best.ranking.best.groups) == 1

@@ -21,12 +21,11 @@ def diagnosis(mixture: Mixture, belief: Belief = WHITE, seed: int = 0) -> Channe
     return diagnose_channel(Channel("gyro", GYRO, 1.0, angle), belief, seed=seed)
 
 
-@pytest.mark.parametrize("slow", [(0.0, 0.0), (0.0, 0.003)])
-def test_false_alarms(slow: tuple[float, float]) -> None:
+def test_false_alarms() -> None:
     """n = 50, seed 11: the exact interval includes 2 % or lies below. 200 records of each belief:
     `benchmarks/static_record.py`."""
-    belief = Belief(np.array([1.0, 0.3, *slow]))
-    found = [diagnosis((1.0, 0.3, *slow, 0.0), belief, seed) for seed in range(RECORDS)]
+    belief = Belief(np.array([1.0, 0.3, 0.0, 0.003]))
+    found = [diagnosis((1.0, 0.3, 0.0, 0.003, 0.0), belief, seed) for seed in range(RECORDS)]
     alarms = sum(d.verdict != "no_gap" for d in found)
     assert binomtest(alarms, RECORDS).proportion_ci().low <= 0.02
 

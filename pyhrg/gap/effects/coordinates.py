@@ -31,7 +31,7 @@ HYSTERESIS_WIDTHS = (2, 5, 10, 20)
 LAST_MOTION = "direction of the last motion of the table"
 """Words of the function that a backlash of the encoder's drive follows."""
 BACKLASH_WIDTH = 10 * ARCSEC
-"""Turn by which the table's direction of motion changes from -1 to 1, rad. Chosen: far above the
+"""Turn back after which the table's direction of motion is another one, rad. Chosen: far above the
 noise of an encoder, far below a move."""
 THERMAL_LAGS = (600, 3600)
 """Time constants with which a part of the gyro follows the case's temperature, s. Chosen."""
@@ -95,8 +95,9 @@ class Coordinates:
         """(n, 1) direction of the table's last motion, -1 to 1; 0 until it moves. By half the
         backlash, with this sign, an encoder with backlash lags behind the table."""
         turned = np.append(0.0, self.table_angle)
-        lag = turned - _follow_with_play(turned, BACKLASH_WIDTH)
-        return np.asarray(lag[1:, None] / (BACKLASH_WIDTH / 2))
+        moved = np.sign(np.diff(_follow_with_play(turned, BACKLASH_WIDTH)))
+        last = np.maximum.accumulate(np.where(moved != 0, np.arange(len(moved)), 0))
+        return np.asarray(moved[last, None])
 
     @cached_property
     def factors(self) -> dict[str, Array]:

@@ -135,8 +135,8 @@ class KnownParameters:
             own = apart.columns[group]
             unit[own] = size * apart.norms[own]
         unit, norms = self._change @ unit, self.whole.norms
-        columns = {group: apart.columns[group] for group in (*all_sizes, *self.terms)}
-        return {group: unit[own] / norms[own] for group, own in columns.items()}
+        values = np.divide(unit, norms, out=np.zeros_like(unit), where=norms > 0)
+        return {group: values[apart.columns[group]] for group in (*all_sizes, *self.terms)}
 
     def estimate_jointly(
         self, fitted: Sequence[Group], groups: Sequence[Group]

@@ -1,20 +1,29 @@
 """Models of the library as FMUs of this machine: found by package, built, run."""
 
+import hashlib
+import shutil
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
 import fmpy
 import pymoca.ast
 import pymoca.parser
 from fmpy.fmi2 import FMU2Slave
 
-from fmu_build.binaries.platforms import FLAGS, PLATFORMS, compile_library, find_host_platform
-from fmu_build.bundle import SHELLS, SOURCES, find_modelica_library, write_sources
+from fmu_build.binaries.platforms import (
+    FLAGS,
+    PLATFORMS,
+    compile_library,
+    find_compiler_version,
+    find_host_platform,
+)
+from fmu_build.bundle import SHELLS, SOURCES, digest_sources, find_modelica_library, write_sources
 from fmu_build.equations.translate import translate
 from fmu_build.roots import ROOTS, Root
+from pyhrg.common.caches.files import find_cache_folder
+from pyhrg.common.files import make_aside
 
 IDENTIFIER = "Model"
 SHORT = 60.0
@@ -121,21 +130,36 @@ def built(model: Model) -> Iterator[ModelFmu]:
     Raises:
         HrgError, BuildError.
     """
-    with TemporaryDirectory(prefix="hrg-model-") as name:
-        folder = Path(name)
-        _write(model, folder)
-        description = fmpy.read_model_description(name, validate=False)
-        slave = FMU2Slave(
-            guid=description.guid,
-            unzipDirectory=name,
-            modelIdentifier=IDENTIFIER,
-            instanceName=model.name,
-        )
-        slave.instantiate()
-        try:
-            yield ModelFmu(slave, description)
-        finally:
-            slave.freeInstance()
+    folder = str(_fetch(model))
+    description = fmpy.read_model_description(folder, validate=False)
+    slave = FMU2Slave(
+        guid=description.guid,
+        unzipDirectory=folder,
+        modelIdentifier=IDENTIFIER,
+        instanceName=model.name,
+    )
+    slave.instantiate()
+    try:
+        yield ModelFmu(slave, description)
+    finally:
+        slave.freeInstance()
+
+
+def _fetch(model: Model) -> Path:
+    """Folder of an extracted FMU in the user's cache, made of the present sources."""
+    made_of = f"{digest_sources()} {find_compiler_version()} {model} {Path(__file__).read_text()}"
+    digest = hashlib.sha256(made_of.encode()).hexdigest()[:16]
+    folder = find_cache_folder() / "models" / f"{model.name}-{digest}"
+    if folder.exists():
+        return folder
+    folder.parent.mkdir(exist_ok=True)
+    with make_aside(folder) as aside:
+        _write(model, aside)
+        for old in folder.parent.glob(f"{model.name}-*"):
+            shutil.rmtree(old, ignore_errors=True)
+        with suppress(OSError):  # another process was faster
+            aside.rename(folder)
+    return folder
 
 
 def _write(model: Model, folder: Path) -> None:

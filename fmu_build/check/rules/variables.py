@@ -24,7 +24,8 @@ def is_number(variable: Variable) -> bool:
 
 @rule("variable names keep the naming convention")
 def names(fmu: Fmu) -> Findings:
-    """FMI 2.0.4, 2.2.9; FMI 3.0.2, "Variable Naming Conventions". FMPy's parser of names takes seconds for a gyro."""
+    """FMI 2.0.4, 2.2.9; FMI 3.0.2, "Variable Naming Conventions". FMPy's parser of names takes
+    seconds for a gyro."""
     convention = fmu.description.get("variableNamingConvention", "flat")
     allowed = STRUCTURED if convention == "structured" else FLAT
     for variable in fmu.variables:

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from benchmarks.witness.flown import MISSIONS, NONE, SEED, read_flights
+from benchmarks.witness.flown import NONE, SEED, read_flights
 from ins_eval.study.gyros.drawn_triad import AXES
 from ins_eval.study.scores.resampling import Estimate, bootstrap
 from ins_eval.study.tables.score import ALL
@@ -79,9 +79,9 @@ def make_tables(flights: pd.DataFrame) -> Iterator[str]:
         yield f"**Rows of docs/witness-flown.csv, {calibration} calibration.** {_count(rows)}"
         yield _tabulate_classes(rows)
         yield from _tabulate_all(rows)
-    for (calibration, name), rows in flights[sealed].groupby(["calibration", "mission_class"]):
+    for calibration, rows in flights[sealed].groupby("calibration"):
         if rows["triad"].nunique() >= LEAST:
-            yield f"**Forms outside the model, {calibration} calibration, {name}.** {_count(rows)}"
+            yield f"**Forms outside the model, {calibration} calibration.** {_count(rows)}"
             yield _tabulate_sealed(rows)
 
 
@@ -108,14 +108,12 @@ def _tabulate_classes(rows: pd.DataFrame) -> str:
 
 
 def _tabulate_all(rows: pd.DataFrame) -> Iterator[str]:
-    """Scores over all classes, of the triads that flew all of them; none if they are too few."""
-    count = rows.groupby("triad")["mission"].nunique()
-    whole = rows[rows["triad"].isin(count.index[count == len(MISSIONS)])]
-    triads = whole["triad"].nunique()
+    """Scores over all flights, each of a triad and mission of its own; none if they are too few."""
+    triads = rows["triad"].nunique()
     if triads < LEAST:
         return
-    scores = _index(score_witnesses(whole, SEED))
-    tests = sorted(whole["self_test_s"].unique())
+    scores = _index(score_witnesses(rows.assign(mission=ALL, mission_class=ALL), SEED))
+    tests = sorted(rows["self_test_s"].unique())
     lines = [
         [name, *(_format_score(scores[test, *key]) for test in tests)]
         for name, key in OVER_CLASSES.items()
@@ -125,8 +123,8 @@ def _tabulate_all(rows: pd.DataFrame) -> Iterator[str]:
 
 
 def _tabulate_sealed(rows: pd.DataFrame) -> str:
-    """Errors of corrected flights in one mission over those of the uncorrected ones, and how many
-    gyros' logs are followed."""
+    """Errors of corrected flights over those of the uncorrected ones, and how many gyros' logs are
+    followed."""
     lines = []
     for test, part in rows.groupby("self_test_s"):
         table = part.sort_values("triad")
@@ -148,7 +146,7 @@ def _tabulate_sealed(rows: pd.DataFrame) -> str:
 
 
 def _compute_sizes(table: pd.DataFrame, name: str) -> Array:
-    """(r, 1) horizontal errors of r triads in one mission, m."""
+    """(r, 1) horizontal errors of r flights, m."""
     sizes = np.hypot(table[f"{name}_north_m"], table[f"{name}_east_m"]).to_numpy()
     return np.asarray(sizes.reshape(-1, 1))
 

@@ -85,7 +85,10 @@ class LoopAndBenchParameters(ResonatorParameters):
     )
     """Delay from detected angle to force, beyond the hold [td], s."""
     filter_delay: float = parameter(
-        key="filter_delay_s", limits=(0, 0.1), fmu="controller.demodulation.filterDelay"
+        key="filter_delay_s",
+        limits=(0, 0.1),
+        fmu="controller.demodulation.filterDelay",
+        effect=EffectDeclaration("filter_delay", 1e-3, ("rate",)),
     )
     """Delay of the demodulation's low-pass filter, s; 0: no filter."""
     time_division: float = parameter(

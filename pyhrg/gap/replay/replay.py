@@ -184,10 +184,24 @@ def _replay_few(
         )
     ideal = Device()
     changes = [read_change(r, ideal, d, log) for r, (d, _) in zip(recorded, runs, strict=True)]
+    if not fmu.is_sampled:
+        for change, run in zip(changes, runs, strict=True):
+            _read_at_end(change, *run, steps)
     return [
         {name: values + change[name] for name, values in rows.items()}
         for rows, change in zip(recorded, changes, strict=True)
     ]
+
+
+def _read_at_end(
+    change: dict[str, Array], device: Device, inputs: ReplayInputs, steps: int
+) -> None:
+    """Change angles to those that a filter shows at the rate of a row's end, for the mean rate of
+    the row's last step, which quasi-steady loops follow."""
+    table = inputs.table
+    behind = device.filter_delay * (table.rates[1:] - table.compute_rates(steps)[:, -1])
+    change["gyro_angle"] = change["gyro_angle"] - behind
+    change["wave_angle"] = change["wave_angle"] + device.bryan_factor * behind
 
 
 @lru_cache(maxsize=256)

@@ -122,9 +122,10 @@ def test_an_effect_is_found_and_closed(simulation: Simulation) -> None:
     [
         ("electrostatic_cubic", 2e-3, "duffing_stiffness"),
         ("sampling_skew", 5e-5, "pickoff_nonorthogonality"),
+        ("filter_delay", 1e-3, "loop_delay"),
     ],
 )
-def test_effects_of_the_electrodes_are_told_from_what_resembles_them(
+def test_effects_are_told_from_what_resembles_them(
     simulation: Simulation, name: str, value: float, alike: str
 ) -> None:
     true = EFFECTS[name].put(NOMINAL, np.array([value]))

@@ -193,7 +193,7 @@ class Bench:
 
 
 def _group_alike(power_ons: Sequence[PowerOn]) -> Iterator[list[PowerOn]]:
-    """Neighbours of one number and length of rows."""
+    """Neighbours of one number and length of rows, `TOGETHER` at most."""
     for _, alike in groupby(power_ons, lambda p: (p.programme.interval, len(p.programme))):
         group = list(alike)
         yield from (group[i : i + TOGETHER] for i in range(0, len(group), TOGETHER))

@@ -1,6 +1,5 @@
-"""Every model of `HRG.Validation` keeps its claim: at all angles, with a signature that is seen,
-and with nothing to be seen where the mechanism is absent. `test_fidelities.py` holds HRGSlow to
-HRG."""
+"""Every model of `HRG.Validation` keeps its claim, in HRG and in HRGSlow: at all angles, with a
+signature that is seen, and with nothing to be seen where the mechanism is absent."""
 
 import re
 from collections.abc import Callable, Iterator
@@ -8,17 +7,18 @@ from collections.abc import Callable, Iterator
 import pytest
 
 from tests.agreement import reference_results
-from tests.agreement.claims import CLAIMS, Demonstration, Result, demonstrations
+from tests.agreement.claims import CLAIMS, SLOW_CLAIMS, Demonstration, Result, demonstrations
 from tests.modelica.catalogue import read_catalogue_numbers
 from tests.modelica.models import Model
 
 Demonstrate = Callable[[Model], Demonstration]
-over_claims = pytest.mark.parametrize("claim", CLAIMS, ids=lambda c: c.name)
+ALL = [*CLAIMS, *SLOW_CLAIMS]
+over_claims = pytest.mark.parametrize("claim", ALL, ids=lambda c: c.name)
 
 
 @pytest.fixture(scope="module")
 def demonstrate() -> Iterator[Demonstrate]:
-    with demonstrations(CLAIMS) as running:
+    with demonstrations(ALL) as running:
         yield lambda claim: running[claim.name].result()
 
 
@@ -54,7 +54,7 @@ def test_nothing_is_measured_without_the_mechanism(claim: Model, demonstrate: De
     assert not (found := misses(absent, shown.tolerance)), "\n".join(found)
 
 
-@over_claims
+@pytest.mark.parametrize("claim", CLAIMS, ids=lambda c: c.name)
 def test_result_has_not_drifted(claim: Model, demonstrate: Demonstrate) -> None:
     reference = reference_results.read(claim.name)
     present = demonstrate(claim).shown

@@ -4,7 +4,7 @@ import hashlib
 import shutil
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import fmpy
@@ -39,6 +39,7 @@ class Model:
     info: its info page.
     text: of its file.
     is_own: whether that file is the library's.
+    integrator: of the FMU (`fmu_build.roots`).
     """
 
     name: str
@@ -46,6 +47,14 @@ class Model:
     info: str
     text: str
     is_own: bool = True
+    integrator: str = ROOTS["HRG"].integrator
+
+    def made_of(self, gyro: Root) -> "Model":
+        """This model with its replaceable `Gyro` redeclared, under a name of its own."""
+        name = f"{self.name.replace('.', '_')}_{gyro.identifier}"
+        redeclaration = f"redeclare model Gyro = {gyro.model}"
+        text = f'model {name} "{name}" extends {self.name}({redeclaration}); end {name};'
+        return replace(self, name=name, text=text, is_own=False, integrator=gyro.integrator)
 
 
 def defined(path: Path) -> pymoca.ast.Class:
@@ -165,7 +174,7 @@ def _fetch(model: Model) -> Path:
 def _write(model: Model, folder: Path) -> None:
     """An FMU, extracted."""
     platform = PLATFORMS[find_host_platform()]
-    root = Root(IDENTIFIER, model.name, model.name, ROOTS["HRG"].integrator, "0.01")
+    root = Root(IDENTIFIER, model.name, model.name, model.integrator, "0.01")
     dae = translate(find_modelica_library(), model.name, "" if model.is_own else model.text)
     description = write_sources(dae, folder, 2, root)
     flags = [*FLAGS, "-O0"] if model.stop_time <= SHORT else FLAGS

@@ -184,9 +184,9 @@ def _replay_few(
         )
     ideal = Device()
     changes = [read_change(r, ideal, d, log) for r, (d, _) in zip(recorded, runs, strict=True)]
-    if not fmu.is_sampled:
-        for change, run in zip(changes, runs, strict=True):
-            _read_at_end(change, *run, steps)
+    for change, (device, inputs) in zip(changes, runs, strict=True):
+        if device.filter_delay and not fmu.is_sampled:
+            _read_at_end(change, device, inputs, steps)
     return [
         {name: values + change[name] for name, values in rows.items()}
         for rows, change in zip(recorded, changes, strict=True)

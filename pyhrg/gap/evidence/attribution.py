@@ -35,6 +35,7 @@ from pyhrg.gap.evidence.step import (
     measure_step,
     move_gyro,
 )
+from pyhrg.gap.evidence.unexplained import count_unexplained, measure_unexplained
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
@@ -223,7 +224,21 @@ class _Iteration:
             self.posterior = compare_noises(hypothesis, nominal, self.parts, self._catalogue.noises)
             is_near = self.step_length(hypothesis) < LINEAR_DISTANCE
             self._compared_groups = self.posterior.best.ranking.best.groups if is_near else None
+        if not is_rough and self._count_unexplained():
+            return self.search()
         return self.posterior.best
+
+    def _count_unexplained(self) -> bool:
+        """Let what the most probable hypothesis leaves of the residual count against all of them;
+        whether it is more than before."""
+        best = self.posterior.best
+        residuals = compute_residuals(self.parts, best.sizes, best.channel_noise, self._nominal)
+        tests = count_unexplained(self._tests, measure_unexplained(residuals))
+        if tests is None:
+            return False
+        self._observe(tests)
+        self._last_exact = self._compared_groups = None
+        return True
 
     def _measure_gap(self) -> float:
         """Chi-square of the records less the simulation of the present gyro, beyond their noise."""
@@ -255,10 +270,12 @@ class _Iteration:
         known = self._tests[0].line_period
         if period is None or (known and math.isclose(period, known, rel_tol=LINE_WIDTH)):
             return False
-        self._tests = [replace(test, line_period=period) for test in self._tests]
-        pairs = zip(self.parts, self._tests, strict=True)
-        self.parts = [part.observe(test) for part, test in pairs]
+        self._observe([replace(test, line_period=period) for test in self._tests])
         return True
+
+    def _observe(self, tests: Sequence[ObservedTest]) -> None:
+        self._tests = tests
+        self.parts = [part.observe(test) for part, test in zip(self.parts, tests, strict=True)]
 
     def step_length(self, hypothesis: Hypothesis) -> float:
         """Mahalanobis distance (Eq. (11)) by which a hypothesis moves the gyro."""

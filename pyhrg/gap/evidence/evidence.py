@@ -53,8 +53,9 @@ UNNAMED_ODDS = 0.05
 """Something outside the catalogue takes part: a candidate term, shared equally among these; the
 same odds for an unnamed noise, shared among its correlation times."""
 HALF_UNNAMED_ODDS = UNNAMED_ODDS / 2
-"""An event that no coordinate predicts takes part. Each of five kinds has these odds: a jump of the
-bias, a step of an angle, a line in the residual, a stretch of other noise, noise in spells."""
+"""An event that no coordinate predicts takes part. Each of six kinds has these odds: a jump of the
+bias, a step of an angle, a line in the residual, a stretch of other noise, noise in spells, far
+more than noise."""
 
 
 @dataclass(frozen=True)

@@ -184,6 +184,9 @@ def rank_under_noise(
     """
     nominal_noise = estimate_nominal_noise(nominal, parts)
     model_error = model_error_power(compute_excess_power(parts, nominal_noise))
+    for part in parts:
+        for channel, left in part.test.unexplained.items():
+            model_error[part.test.test.id, channel] += left
     channel_noise = replace(nominal_noise, angle=noise.noise)
     exact = build_design(parts, channel_noise, model_error, forms=tuple(forms.sigmas))
     tolerances = _list_tolerances(nominal, parts)

@@ -136,7 +136,10 @@ def compare_noises(
         """The noise of this residual, the same without each of its noises, and beside a noise
         without a name those of the catalogue. The known parameters were estimated under another
         noise, so that the residual alone does not decide between these."""
-        residuals = compute_residuals(parts, removed, best.channel_noise, nominal, ("gyro_angle",))
+        error = best.design.model_error
+        residuals = compute_residuals(
+            parts, removed, best.channel_noise, nominal, ("gyro_angle",), error
+        )
         return fit_rival_noises(residuals, stated, noises)
 
     while True:

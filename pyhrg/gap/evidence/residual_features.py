@@ -1,5 +1,5 @@
-"""What a residual shows besides steady white noise: a spectral line, a stretch of other noise, or
-noise that comes and goes.
+"""What a residual shows besides steady white noise: a spectral line, a stretch of other noise,
+noise that comes and goes, or far more than noise.
 
 No coordinate of a test predicts any of them (docs/methods/evidence.md, Eqs. (16) to (17a)).
 """
@@ -21,6 +21,7 @@ from pyhrg.gap.evidence.evidence import HALF_UNNAMED_ODDS, log_evidence
 from pyhrg.gap.evidence.hypothesis import Hypothesis
 from pyhrg.gap.evidence.noise.noise_posterior import TOLERANCE
 from pyhrg.gap.evidence.residuals import Removed, Residual, compute_residuals
+from pyhrg.gap.evidence.unexplained import find_excesses
 from pyhrg.gap.replay.observations import CHANNEL_WORDS, CHANNELS
 from pyhrg.gap.whitening.smoothing import is_coarsely_quantized
 
@@ -84,11 +85,11 @@ def compute_checked_residuals(
 
 
 def find_residual_features(residuals: Sequence[Residual]) -> tuple[ResidualFeature, ...]:
-    """The most probable line, stretch and length of spells, each with the odds of any, in residuals
-    of all tests and channels. Those of a few rows, and those that are zero throughout, are left
-    out."""
+    """The most probable line, stretch, length of spells and excess, each with the odds of any, in
+    residuals of all tests and channels. Those of a few rows, and those that are zero throughout,
+    are left out."""
     usable = _list_usable(residuals)
-    kinds = [list(_lines(usable)), list(_stretches(usable)), list(_spells(usable))]
+    kinds = [list(find(usable)) for find in (_lines, _stretches, _spells, _excesses)]
     return tuple(_combine(alternatives) for alternatives in kinds if alternatives)
 
 
@@ -224,6 +225,14 @@ def _spells(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
                 f"noise that comes and goes in spells of {length} rows ({CHANNEL_WORDS[channel]})",
                 float(log_evidence(np.array([score**2]), 1)[0]),
             )
+
+
+def _excesses(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
+    """Residuals that are more than noise."""
+    for r, excess in find_excesses(residuals):
+        ratio = math.sqrt(float(np.mean(r.white**2)))
+        words = f"{ratio:.3g} times the noise in {r.test} ({CHANNEL_WORDS[r.channel]})"
+        yield ResidualFeature(words, excess / 2)
 
 
 def _correlate_squares(white: Array) -> Array:

@@ -69,6 +69,8 @@ class ObservedTest:
     noise_growth: (n,) by channel: standard deviation of its noise over that at nominal amplitude;
         a channel whose noise does not grow is missing.
     line_period: of a line that the residuals of the campaign show, s.
+    unexplained: by channel: chi-square for each component of what no set of effects and terms
+        explains; a channel of which little more than noise is left is missing.
     """
 
     test: Test
@@ -78,6 +80,7 @@ class ObservedTest:
     reading_noise: Mapping[str, Array] = field(default_factory=dict)
     noise_growth: Mapping[str, Array] = field(default_factory=dict)
     line_period: float | None = None
+    unexplained: Mapping[str, float] = field(default_factory=dict)
 
     def read_noise(self, channel: str, rows: Mask | None = None) -> Array | None:
         """Reading noise of a channel in all rows or in some; None where there is none."""

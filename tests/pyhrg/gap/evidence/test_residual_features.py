@@ -124,7 +124,7 @@ def test_noise_that_comes_and_goes_is_found(length: int) -> None:
 def test_a_loud_stretch_is_no_line() -> None:
     series = steady(10)
     series[0][:500] *= 6
-    line, stretch, _ = found(series)
+    line, stretch, *_ = found(series)
     assert line.log_odds < 0 < 50 < stretch.log_odds
 
 
@@ -140,7 +140,7 @@ def test_steady_noise_with_heavy_tails_is_steady() -> None:
 def test_a_stretch_is_found_where_it_is(factor: float) -> None:
     series = steady(7)
     series[2][1000:1500] *= factor
-    line, stretch, _ = found(series)
+    line, stretch, *_ = found(series)
     assert stretch.log_odds > 10
     assert stretch.words.startswith("noise of its own in t2 from 1")
     assert line.log_odds < 0

@@ -1,0 +1,76 @@
+"""What no set explains: a residual far above its noise.
+
+Physics that neither effects nor candidate terms hold leaves such a residual, and a swarm of them
+imitates it. What a hypothesis leaves of it counts against all (docs/methods/evidence.md, Eq. 10d).
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import groupby
+
+import numpy as np
+from scipy.stats import chi2
+
+from pyhrg.common.arrays import Array
+from pyhrg.gap.effects.design import TestChannel
+from pyhrg.gap.evidence.residuals import Residual
+from pyhrg.gap.replay.observations import ObservedTest
+
+CERTAIN_CHI2 = 30.0
+"""Excess over the number of rows, as chi-square, that steady noise does not have. Chosen."""
+QUIETEST_QUANTILE = 1e-4
+"""Quantile of chi-square that the quietest of some tests exceeds. Chosen."""
+LEAST_GROWTH = 1.1
+"""Ratio by which what is left must have grown to be counted anew. Chosen."""
+
+
+def find_excesses(residuals: Sequence[Residual]) -> Iterator[tuple[Residual, float]]:
+    """Residuals that are more than noise, with their chi-square beyond it: more than that of the
+    noise itself.
+
+    A noise that is louder than stated is so in all tests of a channel: there the highest level that
+    the quietest test may have is the measure of all.
+    """
+    order = sorted((r for r in residuals if len(r.values)), key=lambda r: r.channel)
+    for _, group in groupby(order, key=lambda r: r.channel):
+        own = list(group)
+        powers, rows = (np.array([f(r.white) for r in own]) for f in (_sum_squares, len))
+        level = max(1.0, float((powers / chi2.ppf(QUIETEST_QUANTILE, rows)).min()))
+        excesses = powers / level - rows
+        for residual, excess, count in zip(own, excesses.tolist(), rows, strict=True):
+            if excess > count + CERTAIN_CHI2:
+                yield residual, excess
+
+
+def measure_unexplained(residuals: Sequence[Residual]) -> dict[TestChannel, float]:
+    """Chi-square for each independent component of the residuals that are more than noise."""
+    return {
+        (residual.test, residual.channel): excess / _count_components(residual.white)
+        for residual, excess in find_excesses(residuals)
+    }
+
+
+def count_unexplained(
+    tests: Sequence[ObservedTest], left: Mapping[TestChannel, float]
+) -> list[ObservedTest] | None:
+    """The tests with what is left of them; None where no more is left than was known before."""
+    known = {(t.test.id, channel): w for t in tests for channel, w in t.unexplained.items()}
+    if all(value <= LEAST_GROWTH * known.get(where, 0.0) for where, value in left.items()):
+        return None
+    most = {where: max(left.get(where, 0.0), known.get(where, 0.0)) for where in {**known, **left}}
+
+    def select(test: ObservedTest) -> dict[str, float]:
+        return {channel: w for (name, channel), w in most.items() if name == test.test.id}
+
+    return [replace(test, unexplained=select(test)) for test in tests]
+
+
+def _sum_squares(white: Array) -> float:
+    return float(white @ white)
+
+
+def _count_components(white: Array) -> float:
+    """Number of independent components of a series: the participation ratio of its spectrum. A
+    slow curve has about two, white noise half as many as it has rows."""
+    power = np.abs(np.fft.rfft(white, 2 * len(white))) ** 2
+    return float(power.sum() ** 2 / (power**2).sum())

@@ -22,6 +22,7 @@ from pyhrg.gap.evidence.hypothesis import (
     Hypothesis,
     estimate_nominal_noise,
     rank_under_noise,
+    suppose_nothing,
 )
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
@@ -130,6 +131,20 @@ def attribute_gap(
         iteration.nominal_answers,
         has_converged,
     )
+
+
+def keep_nominal(simulation: Simulation, attribution: Attribution) -> Attribution:
+    """What is left of a search whose gyro is further from the records than the nominal one: this
+    one, with nothing named, as of a search that did not converge."""
+    nominal = attribution.nominal
+    pairs = zip(attribution.parts, attribution.nominal_answers, strict=True)
+    parts = tuple(
+        linearize_test(simulation, nominal, nominal, part.test, answers, part.sensitivities)
+        for part, answers in pairs
+    )
+    posterior = Posterior((suppose_nothing(nominal, parts),), (1.0,))
+    answers = attribution.nominal_answers
+    return Attribution(nominal, nominal, posterior, parts, answers, settled=False)
 
 
 class _Iteration:

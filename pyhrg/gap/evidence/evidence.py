@@ -85,12 +85,16 @@ class Fit:
         return {group: size for group, size in self.sizes.items() if isinstance(group, Effect)}
 
 
+NO_GROUPS = Fit((), 0.0, 0.0, (), ())
+"""The empty set."""
+
+
 def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
     """Fit a set of groups (Eq. (3)); None where some of them are collinear in these tests, or where
     an effect and a candidate term are the same function: what has a name is not shared with what
     has none."""
     if not groups:
-        return Fit((), 0.0, 0.0, (), ())
+        return NO_GROUPS
     same = design.namesakes
     if any(same[g] in groups for g in groups if isinstance(g, Effect) and g in same):
         return None

@@ -21,7 +21,7 @@ from pyhrg.gap.effects.design import (
 from pyhrg.gap.effects.form import Form
 from pyhrg.gap.effects.known_parameters import KnownParameters
 from pyhrg.gap.effects.linear_test import Group, LinearTest
-from pyhrg.gap.evidence.evidence import Fit
+from pyhrg.gap.evidence.evidence import NO_GROUPS, Fit
 from pyhrg.gap.evidence.jump_search import find_jumps, find_steps
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
 from pyhrg.gap.evidence.residuals import compute_residuals, distinct_by_groups
@@ -211,6 +211,16 @@ def rank_under_noise(
         ranking = rank_sets(known.marginal, is_feasible, ranking.best.groups, forms.terms)
         hypothesis = Hypothesis(noise, channel_noise, known, ranking, known, forms)
     return hypothesis
+
+
+def suppose_nothing(nominal: Device, parts: Sequence[LinearTest]) -> Hypothesis:
+    """The hypothesis that nothing takes part, not even within its tolerance, and the noise is the
+    stated one."""
+    channel_noise = estimate_nominal_noise(nominal, parts)
+    known = KnownParameters(build_design(parts, channel_noise), {})
+    ranking = Ranking((NO_GROUPS,), (1.0,), 0.0)
+    noise = NoiseHypothesis(channel_noise.angle, ())
+    return Hypothesis(noise, channel_noise, known, ranking, known)
 
 
 def _list_tolerances(nominal: Device, parts: Sequence[LinearTest]) -> dict[Effect | Form, float]:

@@ -21,10 +21,6 @@ WORSE_RATIO = 1.1
 """Closing has made the simulation worse when the residual after it exceeds the one before by this
 factor. Chosen."""
 UNSETTLED = "The search did not converge: every statement of this diagnosis is uncertain."
-WORSE = (
-    "Closing takes the simulation further away from the records: the named causes stand in for "
-    "something that the catalogue does not hold."
-)
 WORSE_HELD_OUT = (
     "On the held-out tests closing takes the simulation further away: the fitted tests do not "
     "determine these causes well enough to predict others."
@@ -213,7 +209,6 @@ class Diagnosis:
         """Sentences on what makes the whole diagnosis uncertain."""
         return [
             *([] if self.settled else [UNSETTLED]),
-            *([WORSE] if self.gap.is_wider else []),
             *([WORSE_HELD_OUT] if self.gap.is_wider_held_out else []),
         ]
 

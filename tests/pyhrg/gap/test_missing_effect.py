@@ -2,15 +2,21 @@
 
 from dataclasses import replace
 
+import numpy as np
+import pytest
+
 from pyhrg.bench.bench import Bench
 from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.fmu import GyroFmu
+from pyhrg.gap import diagnose as diagnose_module
 from pyhrg.gap.diagnose import diagnose
-from pyhrg.gap.effects.catalogue import FULL_CATALOGUE
+from pyhrg.gap.effects.catalogue import EFFECTS, FULL_CATALOGUE, Catalogue
+from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.replay.simulation import Simulation
 from tests.pyhrg.gap.bench import short
 from tests.pyhrg.gap.closing.equation.planted import record_planted
 from tests.pyhrg.gap.soundness.conftest import NOMINAL
+from tests.pyhrg.gap.test_diagnose import FEW, tiny
 
 DELAY = 1e-3
 KEPT = ("still", "positions", "ride")
@@ -31,3 +37,33 @@ def test_what_no_set_explains_makes_no_swarm(fmu: GyroFmu, simulation: Simulatio
     gap = found.gap.holdout_angle_arcsec
     assert gap is not None
     assert gap.after <= gap.before
+
+
+def test_a_gyro_further_from_the_records_is_not_written(
+    simulation: Simulation, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The search is made to find nine times the opposite of what is there."""
+    effect = EFFECTS["damping_anisotropy"]
+
+    def reverse(_: Simulation, attribution: Attribution, *__: object) -> Attribution:
+        best = attribution.posterior.best
+        (fit, *others), ranking = best.ranking.fits, best.ranking
+        assert effect in fit.groups
+        opposite = replace(fit, values=tuple(-9 * value for value in fit.values))
+        ranking = replace(ranking, fits=(opposite, *others))
+        hypotheses = (replace(best, ranking=ranking), *attribution.posterior.hypotheses[1:])
+        posterior = replace(attribution.posterior, hypotheses=hypotheses)
+        return replace(attribution, posterior=posterior)
+
+    campaign = tiny(simulation, replace(NOMINAL, damping_anisotropy=3e-6))
+    few = Catalogue(FEW)
+    right = diagnose(campaign, catalogue=few, simulation=simulation)
+    monkeypatch.setattr(diagnose_module, "refine_terms", reverse)
+    wrong = diagnose(campaign, catalogue=few, simulation=simulation)
+    assert right.verdict == "explained"
+    assert wrong.verdict == "unexplained"
+    assert not wrong.causes.size
+    assert not wrong.diagnosis.settled
+    assert wrong.identified == wrong.nominal
+    for before, after in zip(wrong.before, wrong.after, strict=True):
+        assert all(np.array_equal(before[name], after[name], equal_nan=True) for name in before)

@@ -1,7 +1,6 @@
 """From a campaign to its diagnosis: quantify, localise, attribute, close, verify."""
 
 import math
-from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from importlib import import_module
 from pathlib import Path
@@ -22,13 +21,10 @@ from pyhrg.gap.closing.equation.refinement import refine_terms
 from pyhrg.gap.closing.origin import take_out_origins
 from pyhrg.gap.closing.term_verification import verify_terms
 from pyhrg.gap.closing.verification import compute_gap_figures
-from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue, NoiseEffect
+from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue
 from pyhrg.gap.effects.design import build_design
-from pyhrg.gap.evidence.attribution import Attribution, attribute_gap, keep_nominal
-from pyhrg.gap.evidence.hypothesis import Hypothesis
-from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
-from pyhrg.gap.evidence.noise.noise_search import find_noise_equivalents
-from pyhrg.gap.evidence.residuals import compute_residuals
+from pyhrg.gap.evidence.attribution import Attribution, complete_noises, keep_nominal
+from pyhrg.gap.evidence.rounds.iteration import attribute_gap
 from pyhrg.gap.findings import diagnosis as diagnosis_file
 from pyhrg.gap.findings import verdict as verdicts
 from pyhrg.gap.findings.diagnosis import Diagnosis, Leftover, Verdict
@@ -202,36 +198,13 @@ def diagnose(
     fitted = [test for test in prepared.tests if not test.test.is_holdout]
     attribution = attribute_gap(simulation, prepared.read_device, fitted, catalogue, report)
     attribution = refine_terms(simulation, attribution, catalogue.noises)
-    hypotheses = tuple(
-        replace(h, noise=_complete_noise(attribution, prepared, catalogue.noises, h))
-        for h in attribution.posterior.hypotheses
-    )
-    posterior = replace(attribution.posterior, hypotheses=hypotheses)
-    attribution = replace(attribution, posterior=posterior)
+    attribution = complete_noises(attribution, catalogue.noises, prepared.quantization)
     report("closing, verifying, and looking for the next test")
     found = _close(campaign.device, simulation, catalogue, attribution, prepared, bound)
     if found.diagnosis.gap.is_wider:
         attribution = keep_nominal(simulation, attribution)
         found = _close(campaign.device, simulation, catalogue, attribution, prepared, bound)
     return found
-
-
-def _complete_noise(
-    attribution: Attribution,
-    prepared: Preparation,
-    noises: Sequence[NoiseEffect],
-    hypothesis: Hypothesis,
-) -> NoiseHypothesis:
-    """A hypothesis' noise with the quantization of the output, and for the most probable
-    hypothesis also with the noises that are confounded with its own."""
-    noise, nominal = hypothesis.noise, attribution.nominal
-    if hypothesis is attribution.posterior.best:
-        parts, channels = attribution.parts, attribution.channel_noise
-        residuals = compute_residuals(parts, hypothesis.sizes, channels, nominal, ("gyro_angle",))
-        noise = find_noise_equivalents(noise, residuals, build_angle_noise(nominal), noises)
-    if prepared.quantization:
-        noise = replace(noise, added=(*noise.added, prepared.quantization))
-    return noise
 
 
 def _close(

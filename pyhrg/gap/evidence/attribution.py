@@ -1,62 +1,21 @@
-"""Which effects make the gap: a Gauss-Newton iteration whose every step is a search among sets.
+"""What a search among effects and noises found: the gyro, the hypotheses and their linear model."""
 
-Effects enter through the FMU. A search is linear in them (docs/methods/evidence.md, Eq. (1)). The
-effects of the most probable set are put into the gyro, the gyro is simulated again, and the search
-is repeated around it until it moves no more. Sizes always count from the nominal gyro.
-"""
-
-import math
-from collections import deque
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
-from pyhrg.fmu import GyroError
-from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue, Effect
+from pyhrg.gap.effects.catalogue import NoiseEffect
 from pyhrg.gap.effects.design import Design
-from pyhrg.gap.effects.linear_test import Group, LinearTest
-from pyhrg.gap.effects.sensitivities import compute_sensitivities, linearize_test
-from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2, list_large_terms, rank_with_forms
-from pyhrg.gap.evidence.hypothesis import (
-    Hypothesis,
-    estimate_nominal_noise,
-    rank_under_noise,
-    suppose_nothing,
-)
-from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
-from pyhrg.gap.evidence.noise.noise_levels import are_equal
-from pyhrg.gap.evidence.posterior import Posterior, average_posteriors, compare_noises
-from pyhrg.gap.evidence.residual_features import compute_checked_residuals, find_period
+from pyhrg.gap.effects.linear_test import LinearTest
+from pyhrg.gap.effects.sensitivities import linearize_test
+from pyhrg.gap.evidence.hypothesis import Hypothesis, suppose_nothing
+from pyhrg.gap.evidence.noise.noise_hypothesis import AddedNoise, NoiseHypothesis
+from pyhrg.gap.evidence.noise.noise_search import find_noise_equivalents
+from pyhrg.gap.evidence.posterior import Posterior
 from pyhrg.gap.evidence.residuals import compute_residuals
 from pyhrg.gap.evidence.search import Ranking
-from pyhrg.gap.evidence.step import (
-    LINEARIZATION_ERROR,
-    go_halfway,
-    measure_step,
-    move_gyro,
-)
-from pyhrg.gap.evidence.unexplained import count_unexplained, measure_unexplained
-from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
-
-CONVERGENCE_DISTANCE = 0.1 / math.sqrt(LINEARIZATION_ERROR)
-"""The search has converged when a step moves the gyro by less than this Mahalanobis distance
-(Eq. (11)), 3.2. Derived: the linearization error of such a step moves the estimate by a tenth of
-its standard deviation."""
-MAX_HALVINGS = 8
-"""Number of times that a step to a gyro which the FMU refuses is halved. Chosen."""
-LINEAR_DISTANCE = math.sqrt(NEGLIGIBLE_CHI2 / LINEARIZATION_ERROR)
-"""Mahalanobis length of a step with a negligible linearization error, 32 sigma. Farther from where
-sensitivities were taken they are taken again. Derived."""
-MAX_ROUNDS = 20
-"""Number of iterations after which the search ends unconverged. Chosen."""
-LINE_WIDTH = 0.02
-"""Share of a period by which that of another line differs. Chosen."""
-UNSETTLED_ROUNDS = 4
-"""Number of last rounds whose posteriors are averaged then. Chosen: more than the sets between
-which searches were seen to alternate."""
 
 
 @dataclass(frozen=True)
@@ -99,38 +58,25 @@ class Attribution:
         return self.posterior.best.channel_noise
 
 
-def attribute_gap(
-    simulation: Simulation,
-    nominal: Device,
-    tests: Sequence[ObservedTest],
-    catalogue: Catalogue = FULL_CATALOGUE,
-    report: Callable[[str], None] = lambda text: None,
+def complete_noises(
+    attribution: Attribution, noises: Sequence[NoiseEffect], quantization: AddedNoise | None
 ) -> Attribution:
-    """Find the effects and noises of the catalogue that make the gap in tests that may be fitted
-    to. `report` is called with a line of text at each step."""
-    iteration = _Iteration(simulation, nominal, tests, catalogue)
-    posteriors = deque[Posterior](maxlen=UNSETTLED_ROUNDS)
-    for number in range(1, MAX_ROUNDS + 1):
-        report(f"round {number}: simulating")
-        iteration.simulate()
-        report(f"round {number}: searching")
-        hypothesis = iteration.search()
-        length = iteration.step_length(hypothesis)
-        report(f"round {number}: step of {length:.3g} sigma")
-        has_converged = iteration.has_converged(hypothesis)
-        iteration.noise = hypothesis.noise
-        posteriors.append(iteration.posterior)
-        if has_converged or number == MAX_ROUNDS:
-            break
-        iteration.move(hypothesis)
-    return Attribution(
-        nominal,
-        iteration.device,
-        posteriors[-1] if has_converged else average_posteriors(posteriors),
-        tuple(iteration.parts),
-        iteration.nominal_answers,
-        has_converged,
-    )
+    """Each hypothesis' noise with the quantization of the output, and that of the most probable
+    hypothesis also with the noises that are confounded with its own."""
+    posterior, nominal = attribution.posterior, attribution.nominal
+
+    def complete(hypothesis: Hypothesis) -> Hypothesis:
+        noise = hypothesis.noise
+        if hypothesis is posterior.best:
+            parts, channels = attribution.parts, attribution.channel_noise
+            own = compute_residuals(parts, hypothesis.sizes, channels, nominal, ("gyro_angle",))
+            noise = find_noise_equivalents(noise, own, build_angle_noise(nominal), noises)
+        if quantization:
+            noise = replace(noise, added=(*noise.added, quantization))
+        return replace(hypothesis, noise=noise)
+
+    hypotheses = tuple(map(complete, posterior.hypotheses))
+    return replace(attribution, posterior=replace(posterior, hypotheses=hypotheses))
 
 
 def keep_nominal(simulation: Simulation, attribution: Attribution) -> Attribution:
@@ -145,170 +91,3 @@ def keep_nominal(simulation: Simulation, attribution: Attribution) -> Attributio
     posterior = Posterior((suppose_nothing(nominal, parts),), (1.0,))
     answers = attribution.nominal_answers
     return Attribution(nominal, nominal, posterior, parts, answers, settled=False)
-
-
-class _Iteration:
-    """State of the iteration from the nominal gyro to the one that explains the records.
-
-    The sensitivities are linear. The part of a large effect that they miss must be read neither as
-    noise nor as another effect: it is added to the noise (Eq. (10)). Noise, jumps and steps are
-    looked for once the steps are short.
-
-    _is_far: whether sensitivities are due.
-    _differentiated_at: gyro at which they were taken last.
-    _linearization_error: allowed linearization error, as chi-square.
-    _compared_groups: set of effects for which the noises were compared last.
-    _last_exact: last hypothesis without linearization error; the next search starts from it.
-    """
-
-    def __init__(
-        self,
-        simulation: Simulation,
-        nominal: Device,
-        tests: Sequence[ObservedTest],
-        catalogue: Catalogue,
-    ) -> None:
-        self._simulation, self._nominal = simulation, nominal
-        self._tests, self._catalogue = tests, catalogue
-        self._is_far = True
-        self._differentiated_at = nominal
-        self._linearization_error = math.inf
-        self._compared_groups: tuple[Group, ...] | None = None
-        self._last_exact: Hypothesis | None = None
-        self.device = nominal
-        self.noise = NoiseHypothesis(build_angle_noise(nominal), ())
-        self.parts: list[LinearTest] = []
-        self.posterior = Posterior((), ())
-        self.nominal_answers: tuple[ChannelValues, ...] = ()
-
-    def simulate(self) -> None:
-        """Take the residuals around the gyro, and the sensitivities that are due.
-
-        Where the FMU refuses the gyro, the step to it is halved, again and again. Where it refuses
-        all of these, the gyro stays where it was.
-        """
-        for _ in range(MAX_HALVINGS):
-            try:
-                self._simulate()
-                return
-            except GyroError:
-                if not self.parts:
-                    raise
-                self.device = go_halfway(
-                    self.parts[0].device, self.device, self._catalogue.parameters
-                )
-        self.device = self.parts[0].device
-
-    def _simulate(self) -> None:
-        simulation, device = self._simulation, self.device
-        if self.parts and self.parts[0].device is device and not self._is_far:
-            return
-        answers = [simulation.simulate(device, test) for test in self._tests]
-        columns: list[Mapping[Effect, Mapping[str, Array]]]
-        columns = [part.sensitivities for part in self.parts]
-        if self._is_far:
-            effects = self._catalogue.parameters
-            columns = [compute_sensitivities(simulation, device, t, effects) for t in self._tests]
-        self.parts = [
-            linearize_test(simulation, self._nominal, device, *own)
-            for own in zip(self._tests, answers, columns, strict=True)
-        ]
-        self._differentiated_at = device if self._is_far else self._differentiated_at
-        self.nominal_answers = self.nominal_answers or tuple(answers)
-
-    def search(self) -> Hypothesis:
-        """The most probable hypothesis; noises are compared again where the best set changed."""
-        nominal = self._nominal
-        if self._linearization_error:
-            power = LINEARIZATION_ERROR * self._measure_gap()
-            self._linearization_error = min(self._linearization_error, power)
-        hypothesis = self._rank()
-        length = self.step_length(hypothesis)
-        if self._linearization_error and length < LINEAR_DISTANCE:
-            self._linearization_error = 0.0
-            hypothesis = self._rank()
-        elif self._linearization_error:
-            self._linearization_error = LINEARIZATION_ERROR * length**2
-        is_rough = self._linearization_error > 0
-        if is_rough or list_large_terms(hypothesis):  # their response is curved
-            self.posterior = Posterior((hypothesis,), (1.0,))
-        elif hypothesis.ranking.best.groups == self._compared_groups:
-            others = self.posterior.hypotheses[1:]
-            self.posterior = replace(self.posterior, hypotheses=(hypothesis, *others))
-        else:
-            self.posterior = compare_noises(hypothesis, nominal, self.parts, self._catalogue.noises)
-            is_near = self.step_length(hypothesis) < LINEAR_DISTANCE
-            self._compared_groups = self.posterior.best.ranking.best.groups if is_near else None
-        if not is_rough and self._count_unexplained():
-            return self.search()
-        return self.posterior.best
-
-    def _count_unexplained(self) -> bool:
-        """Let what the most probable hypothesis leaves of the residual count against all of them;
-        whether it is more than before."""
-        best = self.posterior.best
-        residuals = compute_residuals(self.parts, best.sizes, best.channel_noise, self._nominal)
-        tests = count_unexplained(self._tests, measure_unexplained(residuals))
-        if tests is None:
-            return False
-        self._observe(tests)
-        self._last_exact = self._compared_groups = None
-        return True
-
-    def _measure_gap(self) -> float:
-        """Chi-square of the records less the simulation of the present gyro, beyond their noise."""
-        nominal = self._nominal
-        effects = self._catalogue.parameters
-        moved: dict[Group, Array] = {e: e.vector(self.device) - e.vector(nominal) for e in effects}
-        noise = estimate_nominal_noise(nominal, self.parts)
-        residuals = compute_residuals(self.parts, moved, noise, nominal)
-        return sum(max(float(r.white @ r.white) - len(r.white), 0.0) for r in residuals)
-
-    def _rank(self) -> Hypothesis:
-        """Sets under the present noise, at last beside the forms that terms may have."""
-        nominal, error = self._nominal, self._linearization_error
-        if error:
-            return rank_under_noise(self.noise, nominal, self.parts, error)
-        hypothesis = rank_with_forms(self.noise, nominal, self.parts, self._last_exact)
-        if self._take_period(hypothesis):
-            hypothesis = rank_with_forms(self.noise, nominal, self.parts)
-        self._last_exact = hypothesis
-        return hypothesis
-
-    def _take_period(self, hypothesis: Hypothesis) -> bool:
-        """Let terms have the period of the line that the residual shows without the effects of a
-        hypothesis; whether it is a new one."""
-        effects = dict[Group, Array](hypothesis.effect_sizes.items())
-        period = find_period(
-            compute_checked_residuals(hypothesis, effects, self.parts, self._nominal)
-        )
-        known = self._tests[0].line_period
-        if period is None or (known and math.isclose(period, known, rel_tol=LINE_WIDTH)):
-            return False
-        self._observe([replace(test, line_period=period) for test in self._tests])
-        return True
-
-    def _observe(self, tests: Sequence[ObservedTest]) -> None:
-        self._tests = tests
-        self.parts = [part.observe(test) for part, test in zip(self.parts, tests, strict=True)]
-
-    def step_length(self, hypothesis: Hypothesis) -> float:
-        """Mahalanobis distance (Eq. (11)) by which a hypothesis moves the gyro."""
-        moved = move_gyro(self._nominal, self.device, hypothesis)
-        return measure_step(self.device, moved, hypothesis.exact.whole)
-
-    def has_converged(self, hypothesis: Hypothesis) -> bool:
-        """Whether it moves neither gyro nor noise, and sensitivities were taken nearby."""
-        is_noise_kept = are_equal(self.noise.noise, hypothesis.noise.noise)
-        is_near = self._has_near_sensitivities(hypothesis)
-        return is_noise_kept and is_near and self.step_length(hypothesis) < CONVERGENCE_DISTANCE
-
-    def move(self, hypothesis: Hypothesis) -> None:
-        """Move the gyro to where the hypothesis has it. Far from where sensitivities were taken
-        last, they are taken again."""
-        self.device = move_gyro(self._nominal, self.device, hypothesis)
-        self._is_far = not self._has_near_sensitivities(hypothesis)
-
-    def _has_near_sensitivities(self, hypothesis: Hypothesis) -> bool:
-        distance = measure_step(self._differentiated_at, self.device, hypothesis.exact.whole)
-        return distance < LINEAR_DISTANCE

@@ -21,7 +21,7 @@ from pyhrg.fmu import GyroError
 from pyhrg.gap.closing.prediction import predict
 from pyhrg.gap.diagnose import CampaignDiagnosis, diagnose
 from pyhrg.gap.effects.catalogue import EFFECTS, Catalogue
-from pyhrg.gap.evidence.attribution import attribute_gap
+from pyhrg.gap.evidence.rounds.iteration import attribute_gap
 from pyhrg.gap.replay.observations import ObservedTest, observe_test
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records import Log
@@ -206,7 +206,7 @@ def test_of_many_effects_at_once_the_small_ones_are_found_beside_the_large(
 def test_a_search_that_is_ended_is_left_where_the_gyro_was_simulated(
     simulation: Simulation, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("pyhrg.gap.evidence.attribution.MAX_ROUNDS", 1)
+    monkeypatch.setattr("pyhrg.gap.evidence.rounds.iteration.MAX_ROUNDS", 1)
     true = replace(NOMINAL, drive_gain_mismatch=1e-3)
     tests = [observe_test(test, NOMINAL) for test in tiny(simulation, true).tests]
     found = attribute_gap(simulation, NOMINAL, tests, Catalogue(FEW))
@@ -219,7 +219,7 @@ def test_backwards_in_time_no_effect_explains(
 ) -> None:
     """The residual of an effect, reversed: something is there that no name explains. A search for
     it need not settle: a few rounds are enough to say so."""
-    monkeypatch.setattr("pyhrg.gap.evidence.attribution.MAX_ROUNDS", 4)
+    monkeypatch.setattr("pyhrg.gap.evidence.rounds.iteration.MAX_ROUNDS", 4)
     true = replace(NOMINAL, drive_gain_mismatch=1e-3)
     given, honest = (tiny(simulation, device) for device in (true, NOMINAL.without_noise()))
     tests = []

@@ -17,8 +17,9 @@ from pyhrg.gap.effects.catalogue import EFFECTS, Catalogue, Effect
 from pyhrg.gap.effects.design import build_design
 from pyhrg.gap.effects.linear_test import LinearTest
 from pyhrg.gap.effects.sensitivities import compute_sensitivities, linearize_test
-from pyhrg.gap.evidence.attribution import Attribution, attribute_gap
+from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.evidence import fit
+from pyhrg.gap.evidence.rounds.iteration import attribute_gap
 from pyhrg.gap.next_test.candidate_tests import list_candidates
 from pyhrg.gap.next_test.next_test import (
     SEPARATION_SIGMA,

@@ -12,7 +12,7 @@ from pyhrg.common.units import DEG_PER_H
 from pyhrg.gap.diagnose import diagnose
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Catalogue
-from pyhrg.gap.evidence.attribution import attribute_gap
+from pyhrg.gap.evidence.rounds.iteration import attribute_gap
 from pyhrg.gap.replay.observations import observe_test
 from pyhrg.gap.replay.simulation import Simulation
 from tests.pyhrg.gap.bench import short

@@ -191,7 +191,7 @@ class _Iteration:
         """Let what the most probable hypothesis leaves of the residual count against all of them;
         whether it is more than before."""
         best = self.posterior.best
-        residuals = compute_residuals(self.parts, best.sizes, best.channel_noise, self._nominal)
+        residuals = compute_checked_residuals(best, best.sizes, self.parts, self._nominal)
         tests = count_unexplained(self._tests, measure_unexplained(residuals))
         if tests is None:
             return False

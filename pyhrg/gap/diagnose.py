@@ -1,6 +1,7 @@
 """From a campaign to its diagnosis: quantify, localise, attribute, close, verify."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from importlib import import_module
 from pathlib import Path
@@ -27,7 +28,7 @@ from pyhrg.gap.evidence.attribution import Attribution, complete_noises, keep_no
 from pyhrg.gap.evidence.rounds.iteration import attribute_gap
 from pyhrg.gap.findings import diagnosis as diagnosis_file
 from pyhrg.gap.findings import verdict as verdicts
-from pyhrg.gap.findings.diagnosis import Diagnosis, Leftover, Verdict
+from pyhrg.gap.findings.diagnosis import Diagnosis, Gap, Leftover, Verdict
 from pyhrg.gap.findings.faults import list_fault_causes, list_ripples, list_tolerated_faults
 from pyhrg.gap.findings.localisation import locate_gap, measure_travels
 from pyhrg.gap.findings.materiality import IMMATERIAL, measure_leftover
@@ -200,29 +201,26 @@ def diagnose(
     attribution = refine_terms(simulation, attribution, catalogue.noises)
     attribution = complete_noises(attribution, catalogue.noises, prepared.quantization)
     report("closing, verifying, and looking for the next test")
-    found = _close(campaign.device, simulation, catalogue, attribution, prepared, bound)
-    if found.diagnosis.gap.is_wider:
+    closing, gap = _close(simulation, attribution, prepared.tests)
+    if gap.is_wider:
         attribution = keep_nominal(simulation, attribution)
-        found = _close(campaign.device, simulation, catalogue, attribution, prepared, bound)
-    return found
+        closing, gap = _close(simulation, attribution, prepared.tests)
+    summary = _summarize(
+        campaign.device, simulation, catalogue, attribution, prepared, closing, gap, bound
+    )
+    ends = closing.device, tuple(prepared.tests), closing.before, closing.after
+    return CampaignDiagnosis(summary, attribution, prepared.nominal, *ends)
 
 
 def _close(
-    device: str,
-    simulation: Simulation,
-    catalogue: Catalogue,
-    attribution: Attribution,
-    prepared: Preparation,
-    bound: Leftover,
-) -> CampaignDiagnosis:
-    """Simulate the identified gyro with its terms, and sum up."""
-    tests = prepared.tests
+    simulation: Simulation, attribution: Attribution, tests: Sequence[ObservedTest]
+) -> tuple[Closing, Gap]:
+    """Simulate the identified gyro with its terms."""
     closing = close_gap(simulation, attribution, tests)
     closing = verify_terms(simulation, attribution, tests, closing)
     closing = take_out_origins(simulation, closing, tests, attribution.channel_noise)
-    summary = _summarize(device, simulation, catalogue, attribution, prepared, closing, bound)
-    ends = closing.device, tuple(tests), closing.before, closing.after
-    return CampaignDiagnosis(summary, attribution, prepared.nominal, *ends)
+    before, after = ([of["gyro_angle"] for of in r] for r in (closing.before, closing.after))
+    return closing, compute_gap_figures(tests, before, after, attribution.noise.noise)
 
 
 def _summarize(
@@ -232,11 +230,10 @@ def _summarize(
     attribution: Attribution,
     prepared: Preparation,
     closing: Closing,
+    gap: Gap,
     bound: Leftover,
 ) -> Diagnosis:
     features = verdicts.check_residuals(attribution)
-    before, after = ([of["gyro_angle"] for of in r] for r in (closing.before, closing.after))
-    gap = compute_gap_figures(prepared.tests, before, after, attribution.noise.noise)
     left = measure_leftover(attribution, gap)
     faults = (*prepared.faults, *list_ripples(attribution.ranking.best))
     verdict, causes, unknown_probability = verdicts.reach_verdict(

@@ -34,11 +34,11 @@ def find_excesses(residuals: Sequence[Residual]) -> Iterator[tuple[Residual, flo
     order = sorted((r for r in residuals if len(r.values)), key=lambda r: r.channel)
     for _, group in groupby(order, key=lambda r: r.channel):
         own = list(group)
-        powers, rows = (np.array([f(r.white) for r in own]) for f in (_sum_squares, len))
+        powers = np.array([residual.white @ residual.white for residual in own])
+        rows = np.array([len(residual.white) for residual in own])
         level = max(1.0, float((powers / chi2.ppf(QUIETEST_QUANTILE, rows)).min()))
-        excesses = powers / level - rows
-        for residual, excess, count in zip(own, excesses.tolist(), rows, strict=True):
-            if excess > count + CERTAIN_CHI2:
+        for residual, excess in zip(own, (powers / level - rows).tolist(), strict=True):
+            if excess > len(residual.white) + CERTAIN_CHI2:
                 yield residual, excess
 
 
@@ -63,10 +63,6 @@ def count_unexplained(
         return {channel: w for (name, channel), w in most.items() if name == test.test.id}
 
     return [replace(test, unexplained=select(test)) for test in tests]
-
-
-def _sum_squares(white: Array) -> float:
-    return float(white @ white)
 
 
 def _count_components(white: Array) -> float:

@@ -18,11 +18,7 @@ from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.effects.sensitivities import compute_sensitivities, linearize_test
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2, list_large_terms, rank_with_forms
-from pyhrg.gap.evidence.hypothesis import (
-    Hypothesis,
-    estimate_nominal_noise,
-    rank_under_noise,
-)
+from pyhrg.gap.evidence.hypothesis import Hypothesis, estimate_nominal_noise, rank_under_noise
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
 from pyhrg.gap.evidence.posterior import Posterior, average_posteriors, compare_noises
@@ -96,7 +92,8 @@ class _Iteration:
 
     The sensitivities are linear. The part of a large effect that they miss must be read neither as
     noise nor as another effect: it is added to the noise (Eq. (10)). Noise, jumps and steps are
-    looked for once the steps are short.
+    looked for once the steps are short. Then what no set explains is noted in the tests (Eq. (10d))
+    and sets are ranked again.
 
     _is_far: whether sensitivities are due.
     _differentiated_at: gyro at which they were taken last.

@@ -1,24 +1,13 @@
 """What no set explains is told from noise, and counted where more of it is left."""
 
-from collections.abc import Sequence
-
 import numpy as np
 import pytest
 
 from pyhrg.common.arrays import Array
-from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.evidence.unexplained import find_excesses, measure_unexplained
-from pyhrg.gap.whitening.whitening import NoiseModel
+from tests.pyhrg.gap.evidence.test_residual_features import rest
 
 ROWS, TESTS = 1000, 3
-
-
-def rest(series: Sequence[Array]) -> list[Residual]:
-    white = NoiseModel(1.0)
-    return [
-        Residual(f"t{i}", "gyro_angle", x, np.ones(len(x)), 1.0, white)
-        for i, x in enumerate(series)
-    ]
 
 
 def noise(seed: int, level: float = 1.0) -> Array:
@@ -38,7 +27,7 @@ def test_an_excess_is_measured_beside_the_quietest_test() -> None:
     row, and less by as much as the noise may be louder still."""
     series = noise(1, 2.0)
     series[1] += 5 * np.sin(2 * np.pi * np.arange(ROWS) / ROWS)
-    ((residual, excess),) = find_excesses(rest(series))
+    ((residual, excess),) = find_excesses(rest(list(series)))
     assert residual.test == "t1"
     assert 2 < excess / ROWS < 25 / 8
 
@@ -49,6 +38,6 @@ def test_components_of_an_excess_are_counted() -> None:
     constant, loud = noise(2), noise(3)
     constant[0] += 100
     loud[0] *= 100
-    (one,) = measure_unexplained(rest(constant)).values()
-    (many,) = measure_unexplained(rest(loud)).values()
+    (one,) = measure_unexplained(rest(list(constant))).values()
+    (many,) = measure_unexplained(rest(list(loud))).values()
     assert one / many == pytest.approx(ROWS / 2 / 1.93, rel=0.2)

@@ -56,6 +56,7 @@ Functions = Iterator[tuple[str, str, int | None, Array]]
 class Coordinates:
     """Coordinates of a test, row by row; (n,) each.
 
+    nominal: device, for the constants that a response needs.
     pattern_angle: of the replay, rad.
     table_angle: rad.
     table_rate: mean over the row, rad/s.
@@ -68,6 +69,7 @@ class Coordinates:
     quadrature_force: of the replay.
     """
 
+    nominal: Device
     test: ObservedTest
     pattern_angle: Array
     table_angle: Array
@@ -133,6 +135,7 @@ def compute_coordinates(
     start = float(case[0]) if test.inputs.is_soaked else 0.0
     resonator = follow_with_lag(case, log.interval, nominal.thermal_lag, start)
     return Coordinates(
+        nominal,
         test,
         replay["wave_angle"],
         log.table_angle,
@@ -162,7 +165,7 @@ def _generate_functions(where: Coordinates) -> Functions:
     yield from _generate_acceleration_functions(where)
     yield "amplitude", "amplitude", None, where.amplitude
     yield "amplitude", "amplitude squared", None, where.amplitude * (2 + where.amplitude)
-    yield from _generate_anisotropies(where)
+    yield from generate_anisotropies(where)
     time = where.test.log.time
     yield "time", "time since power-on", None, time / 3600
     for constant in WARM_UP_TIMES:
@@ -182,7 +185,7 @@ def _generate_angle_functions(where: Coordinates) -> Functions:
         yield "table_angle", words, m, make_harmonic(m * where.table_angle)
 
 
-def _generate_anisotropies(where: Coordinates) -> Functions:
+def generate_anisotropies(where: Coordinates) -> Functions:
     """What an anisotropy of damping or stiffness gives that follows another coordinate."""
     words = "harmonic 4 of the pattern angle"
     for coordinate, second in ANISOTROPY_FACTORS:

@@ -153,23 +153,22 @@ def whiten_terms(
     kept = part.kept.get(channel)
     if kept and kept[0] == key:
         return kept[1]
-    candidates: list[tuple[CandidateTerm, Array]] = [
-        *build_term_columns(part.where, channel),
-        *build_form_columns(part.where, channel, forms),
-    ]
+    candidates: dict[CandidateTerm, Array] = {
+        **dict(build_term_columns(part.where, channel)),
+        **dict(build_form_columns(part.where, channel, forms)),
+    }
     if channel == "gyro_angle":
-        candidates += [(jump, jump.columns(part.where)) for jump in jumps]
+        candidates |= {jump: jump.columns(part.where) for jump in jumps}
     else:
-        candidates += [
-            (group, part.at_measured_angle(np.zeros_like(values), values, channel))
-            for group, values in build_reading_columns(part.where, forms)
-        ]
+        for group, values in build_reading_columns(part.where, forms):
+            own = candidates.get(group, np.zeros_like(values))
+            candidates[group] = part.at_measured_angle(own, values, channel)
     responses = part.at_measured_angle(
         part.responses(channel, outputs), part.responses("gyro_angle", outputs), channel
     )
-    series = [responses[:, :-1], *(values for _, values in candidates), responses[:, -1]]
+    series = [responses[:, :-1], *candidates.values(), responses[:, -1]]
     white = whiten_rows(part, channel, np.column_stack(series), noise)
-    sizes = {term: values.shape[1] for term, values in candidates}
+    sizes = {term: values.shape[1] for term, values in candidates.items()}
     terms = WhitenedTerms(sizes, white.series.T @ white.series, white.log_determinant)
     part.kept[channel] = key, terms
     return terms

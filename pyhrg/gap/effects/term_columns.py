@@ -15,20 +15,24 @@ from pyhrg.gap.effects.coordinates import (
     PATTERN_HARMONICS,
     Coordinates,
     Functions,
+    generate_anisotropies,
     make_harmonic,
 )
 from pyhrg.gap.effects.jump import Jump
+from pyhrg.gap.replay.loop_response import FORCES, compute_loop_force
 
 Columns = list[tuple[CandidateTerm, Array]]
 """Terms with their (n, b) columns in one channel."""
 PlacedTerm = tuple[CandidateTerm, Array, Callable[[Array], Array]]
 """A term, the (n, b) values of its basis functions, and what its place makes of these: linear."""
 
-ELECTRODE_HARMONICS = [m for m in PATTERN_HARMONICS if m not in (2, 4)]
+HARMONIC = "harmonic {} of the pattern angle"
+LINEAR_HARMONICS = (2, 4)
+"""Harmonics of pick-offs' linear errors: offset, and gain or axis. Derived."""
+ELECTRODE_HARMONICS = [m for m in PATTERN_HARMONICS if m not in LINEAR_HARMONICS]
 """Harmonics of errors of pick-off and drive. A term must not stand in for an offset (2), a gain or
 an axis (4) of the catalogue."""
-HARMONIC = "harmonic {} of the pattern angle"
-FORCES = [f"acceleration {axis}" for axis in "xyz"]
+SPECIFIC_FORCES = [f"acceleration {axis}" for axis in "xyz"]
 
 
 def build_term_columns(where: Coordinates, channel: str) -> Columns:
@@ -42,11 +46,14 @@ def generate_terms(where: Coordinates, channel: str) -> Iterator[PlacedTerm]:
     makes of these."""
     if channel == "gyro_angle":
         yield from _generate_angle_terms(where)
+        yield from _generate_anisotropy_bias(where)
     else:
         for coordinate, function, harmonic, block in where.functions:
             yield _make_term(channel, coordinate, function, harmonic), block, _show
     if channel == "amplitude":
         yield from _generate_free_decay(where)
+    if channel in FORCES:
+        yield from _generate_misread_amplitude(where, channel)
     if channel in ("gyro_angle", "amplitude_force", "quadrature_force"):
         yield from _generate_drive_gains(where, channel)
 
@@ -73,6 +80,22 @@ def _show(block: Array) -> Array:
     return block
 
 
+def _turn(block: Array) -> Array:
+    """(n, 2) cosine and sine of a harmonic, a quarter of its period ahead."""
+    return np.column_stack([-block[:, 1], block[:, 0]])
+
+
+def _average(block: Array) -> Array:
+    """(n, b) mean of each row and the one before."""
+    return np.asarray((block + np.vstack([block[:1], block[:-1]])) / 2)
+
+
+def _misread(where: Coordinates, block: Array) -> Array:
+    """(n, 2) relative error of the amplitude that a linear error of the pick-offs makes beside an
+    error of the angle (Eq. 5d)."""
+    return 2 * where.nominal.bryan_factor * _turn(block)
+
+
 def _generate_angle_terms(where: Coordinates) -> Iterator[PlacedTerm]:
     """Terms of the output angle alone: a bias, whose integral appears; an error of the angle, from
     the table's start on where it is the encoder's, which may also have a backlash; a force that
@@ -96,18 +119,56 @@ def _generate_angle_terms(where: Coordinates) -> Iterator[PlacedTerm]:
     for coordinate, function, harmonic, block in _generate_products(where):
         yield _make_term("gyro_angle", coordinate, function, harmonic, "bias"), block, integrate
     growth = where.growth_rate[:, None]
+    commanded = where.test.log.virtual_rotation[:, None]
 
     def push(block: Array) -> Array:
-        return integrate(growth * (block + np.vstack([block[:1], block[:-1]])) / 2)
+        return integrate(growth * _average(block))
 
     def push_and_show(block: Array) -> Array:
         return block + push(block)
 
-    for coordinate, function, harmonic, block in _generate_electrode_errors(where):
+    def push_and_show_linearly(block: Array) -> Array:
+        return push_and_show(block) - integrate(commanded * _misread(where, block))
+
+    for m, coordinate, function, harmonic, block in _generate_electrode_errors(where):
         key = ("gyro_angle", coordinate, function, harmonic)
-        yield _make_term(*key, "pick-off"), block, push_and_show
+        respond = push_and_show_linearly if m in LINEAR_HARMONICS else push_and_show
+        yield _make_term(*key, "pick-off"), block, respond
         if coordinate == "wave_angle":
             yield _make_term(*key, "drive"), block, push
+
+
+def _generate_anisotropy_bias(where: Coordinates) -> Iterator[PlacedTerm]:
+    """The bias that an anisotropy of damping makes (Eq. 5e)."""
+
+    def respond(block: Array) -> Array:
+        rate = _turn(block) / (2 * where.nominal.bryan_factor)
+        return np.asarray(np.cumsum(rate, axis=0) * where.test.log.interval)
+
+    for coordinate, function, harmonic, block in generate_anisotropies(where):
+        yield _make_term("amplitude_force", coordinate, function, harmonic), block, respond
+
+
+def _generate_misread_amplitude(where: Coordinates, channel: str) -> Iterator[PlacedTerm]:
+    """What linear errors of the pick-offs make of the loops' forces (Eq. 5d)."""
+    log, gain = where.test.log, where.nominal.bryan_factor
+    growth, force = where.growth_rate[:, None], where.quadrature_force[:, None]
+    commanded = log.virtual_rotation[:, None]
+
+    def drive(block: Array) -> Array:
+        error = _misread(where, block)
+        slope = np.diff(error, axis=0, prepend=error[:1]) / log.interval
+        needed = -growth * _average(error) - slope - 4 * gain**2 * commanded * block
+        return compute_loop_force(needed, where.nominal.amplitude_loop, log.interval)
+
+    def balance(block: Array) -> Array:
+        return -force * _misread(where, block)
+
+    respond = drive if channel == "amplitude_force" else balance
+    for m, coordinate, function, harmonic, block in _generate_electrode_errors(where):
+        if m in LINEAR_HARMONICS:
+            key = ("gyro_angle", coordinate, function, harmonic)
+            yield _make_term(*key, "pick-off"), block, respond
 
 
 def _generate_products(where: Coordinates) -> Functions:
@@ -115,25 +176,27 @@ def _generate_products(where: Coordinates) -> Functions:
     rate = where.factors["the rate"]
     yield "rate", "rate times its magnitude", None, rate * np.abs(rate)
     yield "rate", *where.multiply("rate", rate, "the temperature")
-    for words in FORCES:
+    for words in SPECIFIC_FORCES:
         yield "acceleration", *where.multiply(words, where.factors[words], "the temperature")
 
 
-def _generate_electrode_errors(where: Coordinates) -> Functions:
-    """Errors of an angle at the electrodes."""
+def _generate_electrode_errors(
+    where: Coordinates,
+) -> Iterator[tuple[int, str, str, int | None, Array]]:
+    """Errors of an angle at the electrodes: harmonic of the pattern angle, and a function."""
 
     def modulate(m: int, second: str) -> tuple[str, None, Array]:
         return where.multiply(HARMONIC.format(m), where.harmonics[m], second)
 
     for m in ELECTRODE_HARMONICS:
-        yield "wave_angle", HARMONIC.format(m), m, where.harmonics[m]
-    for m in (2, 4):
-        yield "temperature", *modulate(m, "the temperature")
-        for words in FORCES:
-            yield "acceleration", *modulate(m, words)
-            yield "acceleration", *modulate(m, f"{words} squared")
+        yield m, "wave_angle", HARMONIC.format(m), m, where.harmonics[m]
+    for m in LINEAR_HARMONICS:
+        yield m, "temperature", *modulate(m, "the temperature")
+        for words in SPECIFIC_FORCES:
+            yield m, "acceleration", *modulate(m, words)
+            yield m, "acceleration", *modulate(m, f"{words} squared")
     for m in (2, 8):
-        yield "amplitude", *modulate(m, "the amplitude")
+        yield m, "amplitude", *modulate(m, "the amplitude")
 
 
 def _generate_drive_gains(where: Coordinates, channel: str) -> Iterator[PlacedTerm]:

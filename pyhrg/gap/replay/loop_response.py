@@ -39,9 +39,9 @@ def apply_loop_response(
 
 
 def compute_loop_force(force: Array, natural_frequency: float, interval: float) -> Array:
-    """(n,) force of a critically damped loop of natural frequency w, rad/s, where a quasi-steady
-    loop would apply (n,) `force`: (2 w s + w^2)/(s + w)^2 (docs/methods/replay.md, Eq. 5). The
-    input is linear between rows."""
+    """(n,) or (n, b) force of a critically damped loop of natural frequency w, rad/s, where a
+    quasi-steady loop would apply `force`, of the same shape: (2 w s + w^2)/(s + w)^2
+    (docs/methods/replay.md, Eq. 5). The input is linear between rows."""
     w = natural_frequency
     return _filter((2 * w, w * w), w, force, interval)
 
@@ -54,7 +54,8 @@ def compute_loop_error(force: Array, natural_frequency: float, interval: float) 
 
 def _filter(numerator: tuple[float, float], w: float, force: Array, interval: float) -> Array:
     coefficients, steady_state = _discretize(numerator, w, interval)
-    return np.asarray(signal.lfilter(*coefficients, force, zi=steady_state * force[0])[0])
+    steady = np.multiply.outer(steady_state, force[0])
+    return np.asarray(signal.lfilter(*coefficients, force, axis=0, zi=steady)[0])
 
 
 @cache

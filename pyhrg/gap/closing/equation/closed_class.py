@@ -7,12 +7,18 @@ from collections.abc import Mapping, Sequence
 from importlib.metadata import version
 from typing import Any
 
-from pyhrg.common.units import ARCSEC
 from pyhrg.device.device import Device
 from pyhrg.device.parameter_set import convert_value
-from pyhrg.gap.closing.equation.places import Acting, find_acting
+from pyhrg.gap.closing.equation.places import GAIN, Acting, Response, find_acting
 from pyhrg.gap.closing.equation.proposal import as_candidate, list_written
-from pyhrg.gap.effects.coordinates import BACKLASH_WIDTH, HYSTERESIS_WIDTHS, THERMAL_LAGS
+from pyhrg.gap.closing.equation.variables import (
+    ADDED,
+    COORDINATES,
+    NEEDED,
+    OUTPUTS,
+    RATIO,
+    SAMPLED,
+)
 from pyhrg.gap.findings.term import Term
 
 CLASS = "closed"
@@ -22,77 +28,9 @@ INPUTS = (
     "biasVoltage", "vibration", "amplitudeSetpoint", "phaseOffset", "driveOn",
 )  # fmt: skip
 """Inputs that the inner gyro takes as they are; the angular rate gets the bias terms."""
-OUTPUTS = {
-    "gyroAngle": {"addedAngle": " + addedAngle"},
-    "gyroRate": {},
-    "patternAngle": {"addedAngle": " - gyro.controller.readout.bryanFactor*addedAngle"},
-    "amplitude": {
-        "addedAmplitude": " + addedAmplitude",
-        "freeDamping": " + gyro.amplitude*(exp(-freeDecay) - 1)",
-    },
-    "quadrature": {},
-    "amplitudeForce": {"addedAmplitudeForce": " + addedAmplitudeForce"},
-    "quadratureForce": {"addedQuadratureForce": " + addedQuadratureForce"},
-    "frequencyOffset": {"addedFrequency": " + addedFrequency"},
-    "valid": {},
-}
-"""Outputs, with what each variable adds."""
-ADDED = {
-    "addedRate": ("AngularVelocity", "Bias, as an input rate"),
-    "addedAngle": ("Angle", "Error of the measured angle"),
-    "addedAmplitude": ("RelativeDisplacement", "Error of the detected amplitude"),
-    "addedAmplitudeForce": ("DampingCoefficient", "Damping that the amplitude loop balances"),
-    "addedQuadratureForce": ("RelativeForce", "Stiffness that the quadrature loop balances"),
-    "addedFrequency": ("AngularFrequency", "Stiffness that the phase loop follows"),
-    "freeDamping": ("DampingCoefficient", "Damping that also acts while the drive is off"),
-}
-"""Type and meaning of what the terms add to."""
-_RATIO = "Units.DimensionlessRatio"
-_TEMPERATURE = "gyro.resonator.environment"
-COORDINATES = {
-    "pattern": ("Units.Angle", "Pattern angle theta", "gyro.patternAngle"),
-    "warmth": (_RATIO, "Resonator above the reference temperature, over 1 K",
-               f"{_TEMPERATURE}.temperature/1.0"),
-    "caseWarmth": (_RATIO, "Case above the reference temperature, over 1 K",
-                   f"caseTemperature - {_TEMPERATURE}.referenceTemperature"),
-    "turnRate": (_RATIO, "Input rate, over 1 deg/s", "angularRate*57.29577951308232"),
-    "commandedRate": (_RATIO, "Commanded rotation, over 1 deg/s",
-                      "virtualRotation*57.29577951308232"),
-    "hours": (_RATIO, "Time since power-on, over 1 h", f"{_TEMPERATURE}.age/3600"),
-    **{f"force{a}": (_RATIO, f"Specific force {a.lower()}, over 1 m/s2",
-                     f"acceleration{a}/1.0") for a in "XYZ"},
-}  # fmt: skip
-"""Type, meaning and equation of a coordinate's variable."""
-_HALF = BACKLASH_WIDTH / 2
-SAMPLED = {
-    "slowWarmth": ("Temperature of the case behind a lag of 30 s, over 1 K",
-                   "pre(slowWarmth) + (caseWarmth - pre(slowWarmth))"
-                   "*(1 - 0.9996666666666667*pre(started))"),
-    "warming": ("Rate of the case's temperature behind that lag, over 1 K/min",
-                "2*pre(started)*(caseWarmth - slowWarmth)"),
-    **{f"play{width}": (f"Temperature of the case with a play of {width} K, over 1 K",
-                        f"caseWarmth + pre(started)*(abs(pre(play{width}) - caseWarmth + {width}/2)"
-                        f" - abs(pre(play{width}) - caseWarmth - {width}/2))/2")
-       for width in HYSTERESIS_WIDTHS},
-    **{f"lagging{lag}": (f"Temperature of the case behind a lag of {lag} s, over 1 K",
-                         f"pre(lagging{lag}) + (caseWarmth - pre(lagging{lag}))"
-                         f"*(1 - {math.exp(-0.01 / lag)!r}*pre(started))")
-       for lag in THERMAL_LAGS},
-    "tablePlay": (f"Table angle behind a play of {BACKLASH_WIDTH / ARCSEC:g} arcsec, over 1 rad",
-                  f"tableAngle + pre(started)*(abs(pre(tablePlay) - tableAngle + {_HALF!r})"
-                  f" - abs(pre(tablePlay) - tableAngle - {_HALF!r}))/2"),
-    "tableDirection": ("Direction of the table's last motion, -1 to 1",
-                       f"(tableAngle - tablePlay)/{_HALF!r}"),
-    "freeDecay": ("Logarithm of what such damping takes of the amplitude",
-                  "pre(freeDecay) + 0.01*pre(started)*(1 - driveOn)*freeDamping"),
-    "started": ("1 from the first sample on", "1"),
-}  # fmt: skip
-"""Meaning and equation, every 10 ms, of variables with a memory; they are steady at power-on."""
-NEEDED = {"warming": ("caseWarmth", "slowWarmth"), "tableDirection": ("tableAngle", "tablePlay")}
-"""Other variables that such a variable needs."""
 TURNING = {
     "pickOff.turning": "gyro.controller.commandedTurn - (1 - gyro.controller.forceToRebalance)"
-    "*2*gyro.controller.readout.bryanFactor*angularRate"
+    f"*2*{GAIN}*angularRate"
 }
 """Modifier of the inner gyro with a bias, which may follow the angle that the pick-offs read: how
 these are skewed by a turning pattern then follows the rate of the case alone."""
@@ -116,7 +54,7 @@ end {name};
 def write_class(device: Device, terms: Sequence[Term], title: str, notes: Sequence[str]) -> str:
     """Text of the class: the device with its terms; notes are sentences for its documentation."""
     own = _split_values(device)
-    seen = {variable for t in terms for variable, _ in _acting(t).responses}
+    seen = {response.variable for t in terms for response in _acting(t).responses}
     added = [variable for variable in ADDED if variable in seen]
     used = _list_uses(terms, added)
     started = ", ".join(f"{n}(start = {v!r})" for n, v in own["inputs"].items())
@@ -188,6 +126,8 @@ def _list_uses(terms: Sequence[Term], added: Sequence[str]) -> list[str]:
     used |= {other for name in used & NEEDED.keys() for other in NEEDED[name]}
     if "freeDamping" in added:
         used.add("freeDecay")
+    if "addedMisreading" in added:
+        used |= {"misreading", "misreadingSlope"}
     if used & SAMPLED.keys():
         used.add("started")
     return [name for name in (*COORDINATES, "tableAngle", "amplitudeExcess", *SAMPLED)
@@ -219,9 +159,9 @@ def _declare_variables(used: Sequence[str], added: Sequence[str]) -> str:
             kind, meaning, _ = COORDINATES[name]
             lines.append(f'  HRG.{kind} {name} "{meaning}";')
     if "amplitudeExcess" in used:
-        lines.append(f'  HRG.{_RATIO} amplitudeExcess "Amplitude over the nominal one, less 1";')
+        lines.append(f'  HRG.{RATIO} amplitudeExcess "Amplitude over the nominal one, less 1";')
     lines += [
-        f'  discrete HRG.{_RATIO} {name}(start = 0, fixed = true) "{meaning}";'
+        f'  discrete HRG.{RATIO} {name}(start = 0, fixed = true) "{meaning}";'
         for name, (meaning, _) in SAMPLED.items()
         if name in used
     ]
@@ -253,11 +193,18 @@ def _write_equations(
 def _list_summands(terms: Sequence[Term], variable: str) -> list[str]:
     """What the terms add to a variable of the class."""
     return [
-        f"({term.formula.modelica})*({factor})" if factor else term.formula.modelica
+        write_response(term.formula.modelica, response)
         for term in terms
-        for name, factor in _acting(term).responses
-        if name == variable
+        for response in _acting(term).responses
+        if response.variable == variable
     ]
+
+
+def write_response(expression: str, response: Response) -> str:
+    """What a term of this expression adds to a variable."""
+    if response.is_turned:
+        expression = re.sub(r"\b(\d+\*pattern)\b", rf"(\1 + {math.pi / 2!r})", expression)
+    return f"({expression})*({response.factor})" if response.factor else expression
 
 
 def _document(terms: Sequence[Term], notes: Sequence[str]) -> str:
@@ -269,7 +216,7 @@ def _document(terms: Sequence[Term], notes: Sequence[str]) -> str:
         )
         parts += [
             f"<pre>{variable} = {html.escape(summand, quote=False)}</pre>"
-            for variable, _ in _acting(term).responses
+            for variable in dict.fromkeys(r.variable for r in _acting(term).responses)
             for summand in _list_summands([term], variable)
         ]
         parts.append(

@@ -1,10 +1,25 @@
 """Where in the gyro a candidate term acts, and the unit of its parameters."""
 
+import re
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from pyhrg.common.units import ARCSEC, DEG_PER_H, HZ
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
+from pyhrg.gap.effects.term_columns import LINEAR_HARMONICS
 from pyhrg.gap.findings.term import Location
+
+
+class Response(NamedTuple):
+    """What a term adds to a variable of the written class.
+
+    factor: expression by which the term is multiplied; empty for 1.
+    is_turned: whether the term counts a quarter of its harmonic's period ahead.
+    """
+
+    variable: str
+    factor: str = ""
+    is_turned: bool = False
 
 
 @dataclass(frozen=True)
@@ -15,8 +30,6 @@ class Acting:
     stem: begin of the parameters' names.
     type: Modelica type of the parameters.
     unit: suffix of the parameters' names, empty for a ratio; factor: SI per unit.
-    responses: variables of the class to which the term adds, each with the expression that it is
-        multiplied by there.
     """
 
     place: Location
@@ -24,34 +37,36 @@ class Acting:
     type: str
     unit: str
     factor: float
-    responses: tuple[tuple[str, str], ...]
+    responses: tuple[Response, ...]
 
 
 GROWTH = "driveOn*gyro.amplitudeForce"
 """Growth rate that the drive gives, in the written class."""
-BIAS = Acting("bias", "bias", "AngularVelocity", "deg_h", DEG_PER_H, (("addedRate", ""),))
-READOUT = Acting("readout", "readout", "Angle", "arcsec", ARCSEC, (("addedAngle", ""),))
+GAIN = "gyro.controller.readout.bryanFactor"
+"""Angular gain, in the written class."""
+BIAS = Acting("bias", "bias", "AngularVelocity", "deg_h", DEG_PER_H, (Response("addedRate"),))
+READOUT = Acting("readout", "readout", "Angle", "arcsec", ARCSEC, (Response("addedAngle"),))
 BY_PREFIX = {
     "bias": BIAS,
     "angle": READOUT,
     "output alone": READOUT,
     "pick-off": Acting(
         "pickoff", "pickoff", "Angle", "arcsec", ARCSEC,
-        (("addedAngle", ""), ("addedRate", GROWTH)),
+        (Response("addedAngle"), Response("addedRate", GROWTH)),
     ),
-    "drive": Acting("drive", "drive", "Angle", "arcsec", ARCSEC, (("addedRate", GROWTH),)),
+    "drive": Acting("drive", "drive", "Angle", "arcsec", ARCSEC, (Response("addedRate", GROWTH),)),
     "drive gain": Acting(
         "drive", "drive_gain", "DimensionlessRatio", "", 1.0,
         (
-            ("addedRate", "-virtualRotation"),
-            ("addedAmplitudeForce", "-gyro.amplitudeForce"),
-            ("addedQuadratureForce", "-gyro.quadratureForce"),
+            Response("addedRate", "-virtualRotation"),
+            Response("addedAmplitudeForce", "-gyro.amplitudeForce"),
+            Response("addedQuadratureForce", "-gyro.quadratureForce"),
         ),
     ),
 }  # fmt: skip
 """How a term acts whose function begins with this word and a colon."""
 DAMPING = Acting(
-    "damping", "damping", "DampingCoefficient", "per_s", 1.0, (("addedAmplitudeForce", ""),)
+    "damping", "damping", "DampingCoefficient", "per_s", 1.0, (Response("addedAmplitudeForce"),)
 )
 BY_CHANNEL = {
     "amplitude": Acting(
@@ -60,27 +75,42 @@ BY_CHANNEL = {
         "RelativeDisplacement",
         "amplitude",
         1.0,
-        (("addedAmplitude", ""),),
+        (Response("addedAmplitude"),),
     ),
     "amplitude_force": DAMPING,
     "quadrature_force": Acting(
-        "stiffness", "stiffness", "RelativeForce", "per_s", 1.0, (("addedQuadratureForce", ""),)
+        "stiffness", "stiffness", "RelativeForce", "per_s", 1.0, (Response("addedQuadratureForce"),)
     ),
     "frequency_offset": Acting(
-        "stiffness", "frequency", "AngularFrequency", "Hz", HZ, (("addedFrequency", ""),)
+        "stiffness", "frequency", "AngularFrequency", "Hz", HZ, (Response("addedFrequency"),)
     ),
 }
 """How another term of a channel other than the output angle acts."""
 
 
+MISREAD_AMPLITUDE = (
+    Response("addedMisreading", f"2*{GAIN}", is_turned=True),
+    Response("addedRate", f"-2*{GAIN}*virtualRotation", is_turned=True),
+    Response("addedAmplitudeForce", f"-2*{GAIN}*gyro.controller.commandedTurn"),
+)
+"""What a linear error of the pick-offs does beside its error of the angle."""
+
+
 def find_acting(term: CandidateTerm) -> Acting:
     """How a term acts: by the word before its function, or by its channel. An error of the angle
     that follows the turntable belongs to the bench; damping that follows the amplitude also acts
-    while the drive is off."""
+    while the drive is off, and an anisotropy of damping turns the pattern (docs/methods/effects.md,
+    Eqs. 5d and 5e)."""
     prefix, colon, _ = term.function.partition(": ")
     acting = BY_PREFIX[prefix] if colon else BY_CHANNEL[term.channel]
+    more: list[Response] = []
+    product = re.search(r"harmonic (\d+) .*, times", term.function)
+    if prefix == "pick-off" and product and int(product[1]) in LINEAR_HARMONICS:
+        more += MISREAD_AMPLITUDE
+    if acting is DAMPING and product and term.coordinate != "wave_angle":
+        more.append(Response("addedRate", f"1/(2*{GAIN})", is_turned=True))
     if acting is DAMPING and term.coordinate == "amplitude":
-        return replace(acting, responses=(*acting.responses, ("freeDamping", "")))
+        more.append(Response("freeDamping"))
     if acting is READOUT and term.coordinate == "table_angle":
-        return replace(acting, place="bench")
-    return acting
+        acting = replace(acting, place="bench")
+    return replace(acting, responses=(*acting.responses, *more)) if more else acting

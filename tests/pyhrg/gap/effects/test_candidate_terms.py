@@ -5,8 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from pyhrg.common.units import DEG
 from pyhrg.gap.effects.catalogue import EFFECTS
 from pyhrg.gap.effects.coordinates import compute_coordinates
+from pyhrg.gap.effects.form import build_reading_columns
 from pyhrg.gap.effects.sensitivities import compute_sensitivities
 from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.replay.observations import observe_test
@@ -20,6 +22,8 @@ from tests.pyhrg.records.made_up import made_up_log
 ROWS = 600
 MAX_UNEXPLAINED = 0.15
 """Share of an effect's power that one term may leave: part of it are biases by the same effect."""
+MAX_LEFT = 0.05
+"""Share of what an effect makes in a channel that a term of one size in all may leave."""
 
 
 @pytest.mark.parametrize(
@@ -90,6 +94,60 @@ def test_one_term_explains_an_anisotropy_that_follows_a_coordinate(
     unexplained = changing - term @ np.linalg.lstsq(term, changing, rcond=None)[0]
     assert np.ptp(where.pattern_angle) > 1
     assert np.linalg.norm(unexplained) < 0.01 * np.linalg.norm(changing)
+
+
+@pytest.mark.parametrize(
+    ("name", "function"),
+    [
+        (
+            "pickoff_gain_temperature",
+            "pick-off: harmonic 4 of the pattern angle, times the temperature",
+        ),
+        ("g_sensitive_gain", "pick-off: harmonic 4 of the pattern angle, times acceleration x"),
+        (
+            "damping_anisotropy_temperature",
+            "harmonic 4 of the pattern angle, times the temperature",
+        ),
+    ],
+)
+@pytest.mark.parametrize("commanded", [0.0, 1 * DEG])
+def test_one_size_of_a_term_explains_an_effect_in_all_channels(
+    simulation: Simulation, name: str, function: str, commanded: float
+) -> None:
+    """Pick-offs that misread the angle also misread the amplitude; an anisotropy of damping also
+    turns the pattern. Each channel counts in units of what the effect makes there."""
+    turns = np.arange(ROWS) / ROWS
+    log = replace(
+        made_up_log(ROWS, noise=0.0),
+        acceleration_x=5 * np.sin(4 * np.pi * turns),
+        temperature=298.15 + 10 * np.sin(2 * np.pi * turns),
+        table_angle=6 * turns,
+        virtual_rotation=np.full(ROWS, commanded),
+    )
+    device = replace(NOMINAL.without_noise(), damping_anisotropy=1e-5, damping_axis=0.3)
+    observed = observe_test(Test("test", "static", "fit", log), device)
+    effect = EFFECTS[name]
+    where = compute_coordinates(observed, simulation.simulate(device, observed), device)
+    effects = compute_sensitivities(simulation, device, observed, [effect])[effect]
+    slopes = simulation.differentiate_by_angle(device, observed).slopes
+    reading = {t.function: values for t, values in build_reading_columns(where, ())}
+    shown, expected = [], []
+    for channel in ("gyro_angle", "amplitude_force", "quadrature_force"):
+        columns = {term.function: block for term, block in build_term_columns(where, channel)}
+        is_misread = channel != "gyro_angle" and function in reading
+        if channel == "quadrature_force" and not is_misread:
+            continue
+        own, response = columns[function], effects[channel][:, 0]
+        if channel != "gyro_angle":
+            at_angle = device.bryan_factor * slopes[channel]
+            response = response + at_angle * effects["gyro_angle"][:, 0]
+            own = own + at_angle[:, None] * reading[function] if is_misread else own
+        rows = observed.rows[channel]
+        shown.append(own[rows] / np.linalg.norm(response[rows]))
+        expected.append(response[rows] / np.linalg.norm(response[rows]))
+    term, whole = np.vstack(shown), np.concatenate(expected)
+    left = whole - term @ np.linalg.lstsq(term, whole, rcond=None)[0]
+    assert np.linalg.norm(left) < MAX_LEFT
 
 
 def test_the_amplitude_coordinate_of_a_free_pattern_is_simulated() -> None:

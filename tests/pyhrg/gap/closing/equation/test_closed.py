@@ -11,6 +11,7 @@ import pytest
 
 from fmu_build import build_fmu, check_fmu
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H
+from pyhrg.fmu import GyroFmu
 from pyhrg.gap.closing.equation.closed_class import write_class
 from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu, put_terms
 from pyhrg.gap.closing.equation.places import find_acting
@@ -19,17 +20,24 @@ from pyhrg.gap.closing.prediction import predict
 from pyhrg.gap.diagnose import CampaignDiagnosis, diagnose
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Catalogue
-from pyhrg.gap.effects.jump import make_bias_jump
+from pyhrg.gap.effects.jump import Jump, make_bias_jump
 from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 from pyhrg.gap.findings.term import Formula, Term
-from pyhrg.gap.replay.observations import CHANNELS
+from pyhrg.gap.replay.observations import CHANNELS, observe_test
 from pyhrg.gap.replay.simulation import Simulation, replay_sampled
+from pyhrg.records.campaign import Test
 from tests.pyhrg.gap.closing.equation.planted import COS6, SIN6, record_sixth_harmonic
 from tests.pyhrg.gap.soundness.conftest import NOMINAL
 from tests.pyhrg.gap.test_diagnose import FEW, tiny
+from tests.pyhrg.records.made_up import made_up_log
 
 JUMP_TIME = 30.0
+GAIN = NOMINAL.bryan_factor
+FAULTY = replace(NOMINAL.without_noise(), pickoff_nonorthogonality=1e-4, time_division=1)
+WARM = "harmonic 4 of the pattern angle, times the temperature"
+Everything = tuple[dict[CandidateTerm, Term], GyroFmu]
+"""All terms, and the FMU that has them."""
 AGREEMENT = 0.05 * ARCSEC
 """Largest difference of two runs of one gyro."""
 
@@ -127,14 +135,11 @@ def test_no_gap_no_term_but_an_fmu(simulation: Simulation, tmp_path: Path) -> No
     assert fmpy.read_model_description(str(tmp_path / "closed.fmu")).modelName == "closed"
 
 
-def test_every_candidate_term_can_be_written_at_once(
-    diagnosed: CampaignDiagnosis, simulation: Simulation
-) -> None:
-    """All terms at once build, beside errors of the pick-offs and a mode that is a whole number;
-    without sizes they change nothing. A jump acts in its own test, from its time on."""
-    device = replace(NOMINAL, pickoff_nonorthogonality=1e-4, time_division=1)
-    part = diagnosed.attribution.parts[-1]
-    terms = {}
+@pytest.fixture(scope="module")
+def everything(diagnosed: CampaignDiagnosis) -> Everything:
+    """All candidate terms without sizes, and a class with all of them, beside errors of the
+    pick-offs and a mode that is a whole number."""
+    part, terms = diagnosed.attribution.parts[-1], dict[CandidateTerm, Term]()
     for channel in CHANNELS:
         for candidate, columns in build_term_columns(part.where, channel):
             own = list_coefficients(candidate)
@@ -143,26 +148,76 @@ def test_every_candidate_term_can_be_written_at_once(
                 terms[candidate] = _make_term(candidate, own)
     jump = make_bias_jump([("ride", JUMP_TIME)], 0.0)
     terms[jump] = _make_term(jump, list_coefficients(jump))
+    return terms, load_closed_fmu(FAULTY, list(terms.values()))
+
+
+def test_every_candidate_term_can_be_written_at_once(
+    diagnosed: CampaignDiagnosis, everything: Everything
+) -> None:
+    """All terms at once build; without sizes they change nothing. A jump acts in its own test, from
+    its time on."""
+    terms, fmu = everything
+    part = diagnosed.attribution.parts[-1]
     names = [name for term in terms.values() for name in term.parameters]
     assert len(names) == len(set(names))
-    everything = load_closed_fmu(device, list(terms.values()))
-    plain = replay_sampled(load_closed_fmu(device, ()), device, part.test.inputs)
-    same = replay_sampled(everything, device, part.test.inputs)
+    plain = replay_sampled(load_closed_fmu(FAULTY, ()), FAULTY, part.test.inputs)
+    same = replay_sampled(fmu, FAULTY, part.test.inputs)
     for channel in CHANNELS:
         np.testing.assert_allclose(same[channel], plain[channel], rtol=0, atol=1e-15)
-    size = {"bias_jump1_deg_h": 1.0}
-    jumped = replace(terms[jump], parameters=size)
+    (jump,) = (term for candidate, term in terms.items() if isinstance(candidate, Jump))
+    jumped = replace(jump, parameters={"bias_jump1_deg_h": 1.0})
     turned = [
-        replay_sampled(everything, put_terms(device, [jumped], test), part.test.inputs)
+        replay_sampled(fmu, put_terms(FAULTY, [jumped], test), part.test.inputs)
         for test in ("ride", "still")
     ]
     expected = DEG_PER_H * np.maximum(part.test.log.time - JUMP_TIME, 0.0)
     added = turned[0]["gyro_angle"] - turned[1]["gyro_angle"]
     np.testing.assert_allclose(added, expected, rtol=0.02, atol=DEG_PER_H)
     np.testing.assert_array_equal(turned[1]["gyro_angle"], same["gyro_angle"])
-    written = write_class(device, [jumped], "All", ())
+    written = write_class(FAULTY, [jumped], "All", ())
     assert "biasJump1 = 0.0" in written
     assert "bias_jump1_deg_h = 1 there, 0 else" in written
+
+
+@pytest.mark.parametrize(
+    ("channel", "function", "size", "changed"),
+    [
+        ("gyro_angle", f"pick-off: {WARM}", (0.0, 1e-5 / (4 * GAIN)),
+         {"pickoff_gain_per_kelvin": 1e-5}),
+        ("amplitude_force", WARM, (5e-8 * np.cos(1.2), 5e-8 * np.sin(1.2)),
+         {"damping_anisotropy_per_kelvin": 1e-2}),
+    ],
+)  # fmt: skip
+def test_a_written_term_is_what_the_gyro_does(
+    simulation: Simulation,
+    everything: Everything,
+    channel: str,
+    function: str,
+    size: tuple[float, float],
+    changed: dict[str, float],
+) -> None:
+    """A gain mismatch of the pick-offs, and an anisotropy of damping, that follow the temperature:
+    as a term beside the gyro, and as a parameter of it."""
+    rows = np.arange(200) / 200
+    log = replace(
+        made_up_log(200, noise=0.0),
+        temperature=298.15 + 10 * np.sin(np.pi * rows) ** 2,
+        table_angle=6 * rows,
+        virtual_rotation=np.full(200, 1 * DEG),
+    )
+    terms, fmu = everything
+    device = replace(FAULTY, damping_anisotropy=1e-5, damping_axis=0.3)
+    inputs = observe_test(Test("warm", "static", "fit", log), device).inputs
+    (term,) = (t for c, t in terms.items() if (c.channel, c.function) == (channel, function))
+    own = list_coefficients(CandidateTerm(channel, "temperature", function))
+    values = {c.name: value / c.factor for c, value in zip(own, size, strict=True)}
+    with_term = put_terms(device, [replace(term, parameters=values)], "warm")
+    before, by_term = (replay_sampled(fmu, d, inputs) for d in (device, with_term))
+    by_gyro = replay_sampled(fmu, replace(device, **changed), inputs)
+    for name in ("gyro_angle", "amplitude_force", "quadrature_force"):
+        expected = by_gyro[name] - before[name]
+        apart = by_term[name] - before[name] - expected
+        assert np.abs(apart).max() < 0.01 * np.abs(expected).max(), name
 
 
 def _make_term(candidate: CandidateTerm, own: Sequence[Coefficient]) -> Term:

@@ -202,7 +202,7 @@ def diagnose(
     attribution = complete_noises(attribution, catalogue.noises, prepared.quantization)
     report("closing, verifying, and looking for the next test")
     closing, gap = _close(simulation, attribution, prepared.tests)
-    if gap.is_wider:
+    if gap.is_wider or (gap.is_wider_held_out and attribution.leaves_excess):
         attribution = keep_nominal(simulation, attribution)
         closing, gap = _close(simulation, attribution, prepared.tests)
     summary = _summarize(

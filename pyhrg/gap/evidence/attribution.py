@@ -57,6 +57,11 @@ class Attribution:
         """Noise of all channels, under the most probable hypothesis."""
         return self.posterior.best.channel_noise
 
+    @property
+    def leaves_excess(self) -> bool:
+        """Whether no set explains the records (docs/methods/evidence.md, Eq. 10d)."""
+        return any(part.test.unexplained for part in self.parts)
+
 
 def complete_noises(
     attribution: Attribution, noises: Sequence[NoiseEffect], quantization: AddedNoise | None

@@ -12,6 +12,7 @@ from pyhrg.gap import diagnose as diagnose_module
 from pyhrg.gap.diagnose import diagnose
 from pyhrg.gap.effects.catalogue import EFFECTS, FULL_CATALOGUE, Catalogue
 from pyhrg.gap.evidence.attribution import Attribution
+from pyhrg.gap.findings.diagnosis import WORSE_HELD_OUT, Gap
 from pyhrg.gap.replay.simulation import Simulation
 from tests.pyhrg.gap.bench import short
 from tests.pyhrg.gap.closing.equation.planted import record_planted
@@ -67,3 +68,19 @@ def test_a_gyro_further_from_the_records_is_not_written(
     assert wrong.identified == wrong.nominal
     for before, after in zip(wrong.before, wrong.after, strict=True):
         assert all(np.array_equal(before[name], after[name], equal_nan=True) for name in before)
+
+
+@pytest.mark.parametrize("leaves_excess", [False, True])
+def test_what_fits_records_that_no_set_explains_must_predict(
+    simulation: Simulation, monkeypatch: pytest.MonkeyPatch, leaves_excess: bool
+) -> None:
+    """A worse prediction of the held-out tests is a caveat, but where no set explains the records
+    nothing is named."""
+    monkeypatch.setattr(Attribution, "leaves_excess", leaves_excess)
+    monkeypatch.setattr(Gap, "is_wider_held_out", True)
+    campaign = tiny(simulation, replace(NOMINAL, damping_anisotropy=3e-6))
+    found = diagnose(campaign, catalogue=Catalogue(FEW), simulation=simulation).diagnosis
+    names = [cause.effect for cause in found.causes]
+    assert names == ([] if leaves_excess else ["damping_anisotropy"])
+    assert found.settled != leaves_excess
+    assert WORSE_HELD_OUT in found.caveats

@@ -56,8 +56,13 @@ BY_CLASS = {
     "NEES of the position": (POSITION_NEES, "estimated"),
 }
 """Columns of the table by class."""
-SEALED = {"bench's maps": "by_bench", "channels": "by_channels", "true maps": "by_true"}
-"""Corrections of flights with effects outside the model."""
+SEALED = {
+    "bench's maps": ("by_bench", "flown"),
+    "channels": ("by_channels", "flown"),
+    "true maps": ("by_true", "flown"),
+    "channels, over the bench's maps": ("by_channels", "by_bench"),
+}
+"""Corrections of flights with effects outside the model, each over another flight."""
 LEAST = 2
 """Smallest number of triads of which an interval is given."""
 
@@ -123,13 +128,12 @@ def _tabulate_all(rows: pd.DataFrame) -> Iterator[str]:
 
 
 def _tabulate_sealed(rows: pd.DataFrame) -> str:
-    """Errors of corrected flights over those of the uncorrected ones, and how many gyros' logs are
-    followed."""
+    """Errors of corrected flights over those of others, and how many gyros' logs are followed."""
     lines = []
     for test, part in rows.groupby("self_test_s"):
         table = part.sort_values("triad")
-        for title, name in SEALED.items():
-            ratios = _compute_sizes(table, name) / _compute_sizes(table, "flown")
+        for title, (name, other) in SEALED.items():
+            ratios = _compute_sizes(table, name) / _compute_sizes(table, other)
             worst = bootstrap(compute_worst_tenth, [ratios], SEED)
             lines.append(
                 [

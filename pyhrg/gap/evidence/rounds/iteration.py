@@ -48,6 +48,9 @@ MAX_ROUNDS = 20
 """Number of iterations after which the search ends unconverged. Chosen."""
 LINE_WIDTH = 0.02
 """Share of a period by which that of another line differs. Chosen."""
+MAX_COUNTS = 10
+"""Number of searches in a round beside what was left unexplained. Chosen: one to three were
+seen."""
 UNSETTLED_ROUNDS = 4
 """Number of last rounds whose posteriors are averaged then. Chosen: more than the sets between
 which searches were seen to alternate."""
@@ -158,7 +161,15 @@ class _Iteration:
         self.nominal_answers = self.nominal_answers or tuple(answers)
 
     def search(self) -> Hypothesis:
-        """The most probable hypothesis; noises are compared again where the best set changed."""
+        """The most probable hypothesis, beside which no more is left unexplained than counted."""
+        for _ in range(MAX_COUNTS):
+            self._search()
+            if self._linearization_error or not self._count_unexplained():
+                break
+        return self.posterior.best
+
+    def _search(self) -> None:
+        """Rank sets and noises; noises are compared again where the best set changed."""
         nominal = self._nominal
         if self._linearization_error:
             power = LINEARIZATION_ERROR * self._measure_gap()
@@ -170,8 +181,7 @@ class _Iteration:
             hypothesis = self._rank()
         elif self._linearization_error:
             self._linearization_error = LINEARIZATION_ERROR * length**2
-        is_rough = self._linearization_error > 0
-        if is_rough or list_large_terms(hypothesis):  # their response is curved
+        if self._linearization_error or list_large_terms(hypothesis):  # their response is curved
             self.posterior = Posterior((hypothesis,), (1.0,))
         elif hypothesis.ranking.best.groups == self._compared_groups:
             others = self.posterior.hypotheses[1:]
@@ -180,9 +190,6 @@ class _Iteration:
             self.posterior = compare_noises(hypothesis, nominal, self.parts, self._catalogue.noises)
             is_near = self.step_length(hypothesis) < LINEAR_DISTANCE
             self._compared_groups = self.posterior.best.ranking.best.groups if is_near else None
-        if not is_rough and self._count_unexplained():
-            return self.search()
-        return self.posterior.best
 
     def _count_unexplained(self) -> bool:
         """Let what the most probable hypothesis leaves of the residual count against all of them;

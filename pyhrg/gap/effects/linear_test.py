@@ -18,6 +18,7 @@ from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.replay import estimate_thermometer_noise
 from pyhrg.gap.replay.simulation import compute_carrier_terms
+from pyhrg.gap.replay.table_steps import shape_rounding_errors
 from pyhrg.gap.soundness.origin import is_origin_set
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, compute_temperature_slopes
 from pyhrg.gap.whitening.smoothing import is_coarsely_quantized, smooth_readings
@@ -95,8 +96,8 @@ class LinearTest:
     def unmodelled(self) -> Mapping[str, Array]:
         """(n,) or (n, m) shapes by channel that the simulation lacks, of a size up to about 1: the
         next order of the carrier's average, and of the thermometer's lag; in the output angle its
-        origin, with which the pattern's start is wrong too, and what the thermometer's noise makes
-        of it (docs/methods/whitening.md, Eqs. 18 to 19).
+        origin, with which the pattern's start is wrong too, the encoder's rounding,
+        and what the thermometer's noise makes of it (docs/methods/whitening.md, Eqs. 18 to 19).
         """
         device, interval = self.device, self.test.log.interval
         shapes = dict(compute_carrier_terms(device, self.test, self.where.pattern_angle))
@@ -108,6 +109,9 @@ class LinearTest:
         if is_origin_set(self.test.test.log, self.device.site) or self._begins_elsewhere():
             origin = shape_origin(self.bryan_factor, self.slopes["gyro_angle"])
             shapes["gyro_angle"] = MAX_ORIGIN * origin
+        table = self.test.log.table_angle
+        if (rounding := shape_rounding_errors(table, self.test.encoder_step)).size:
+            shapes["gyro_angle"] = np.column_stack([shapes["gyro_angle"], rounding])
         if slope := device.bias_per_temperature_rate:
             noise = slope * estimate_thermometer_noise(device, self.test.inputs)
             shapes["gyro_angle"] = np.column_stack([shapes["gyro_angle"], noise])

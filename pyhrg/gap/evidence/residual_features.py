@@ -23,7 +23,7 @@ from pyhrg.gap.evidence.noise.noise_posterior import TOLERANCE
 from pyhrg.gap.evidence.residuals import Removed, Residual, compute_residuals
 from pyhrg.gap.evidence.unexplained import find_excesses
 from pyhrg.gap.replay.observations import CHANNEL_WORDS, CHANNELS
-from pyhrg.gap.whitening.smoothing import is_coarsely_quantized
+from pyhrg.gap.whitening.smoothing import is_coarsely_quantized, is_table_coarse
 
 MIN_READINGS = 16
 """Readings that a stretch must have. Chosen."""
@@ -72,15 +72,23 @@ def compute_checked_residuals(
     hypothesis.
 
     An output angle that is coarsely quantized is left out: its quantization error repeats with the
-    angle. So are channels in which the noise of a coarse thermometer shows.
+    angle. So are channels in which the steps of a turning table's encoder show, or the noise of a
+    coarse thermometer.
     """
     noise = hypothesis.channel_noise
     channels = CHANNELS[1:] if is_coarsely_quantized(nominal) else CHANNELS
     errors = hypothesis.design.model_error
+    coarse = {
+        (part.test.test.id, channel)
+        for part in parts
+        if is_table_coarse(part.test, nominal)
+        for channel in part.test.reading_noise
+    }
     return [
         r
         for r in compute_residuals(parts, removed, noise, nominal, channels, errors)
         if not (r.channel in noise.per_kelvin and noise.reading_steps[r.test])
+        and (r.test, r.channel) not in coarse
     ]
 
 

@@ -11,6 +11,7 @@ from pyhrg.device.device import Device
 from pyhrg.gap.replay.loop_response import FORCES
 from pyhrg.gap.replay.reading_noise import ReadingNoise
 from pyhrg.gap.replay.replay import HELD_COLUMNS, ReplayInputs, prepare_inputs
+from pyhrg.gap.replay.table_steps import ERROR_PER_STEP, find_turning_rows
 from pyhrg.records import Log
 from pyhrg.records.campaign import Test
 
@@ -66,6 +67,7 @@ class ObservedTest:
     transient: (n,) rows in which loops are not settled, so that their replay needs sampled loops.
     reading_noise: (n,) by channel, SI: standard deviation of the white noise that readings of the
         bench's angles add to a comparison; a channel without any is missing.
+    encoder_step: in which the encoder shows the table's angle, rad; 0 where none is seen.
     noise_growth: (n,) by channel: standard deviation of its noise over that at nominal amplitude;
         a channel whose noise does not grow is missing.
     line_period: of a line that the residuals of the campaign show, s.
@@ -78,6 +80,7 @@ class ObservedTest:
     rows: Mapping[str, Mask]
     transient: Mask
     reading_noise: Mapping[str, Array] = field(default_factory=dict)
+    encoder_step: float = 0.0
     noise_growth: Mapping[str, Array] = field(default_factory=dict)
     line_period: float | None = None
     unexplained: Mapping[str, float] = field(default_factory=dict)
@@ -131,12 +134,14 @@ def add_reading_noise(
     (docs/methods/replay.md, Eq. 10)."""
     table = test.inputs.log.table_angle
     rates = np.abs(np.gradient(table, test.log.interval))
-    encoder = noise.encoder.value if np.ptp(table) else 0.0
+    rounding = ERROR_PER_STEP * noise.encoder_step * find_turning_rows(table)
+    encoder = np.hypot(noise.encoder.value, rounding) if np.ptp(table) else 0.0
     angle = np.hypot(encoder, noise.jitter * rates)
     pattern = np.hypot(angle, noise.row_jitter.value * rates)
     by_channel = {name: np.abs(slope) * pattern for name, slope in slopes.items()}
     by_channel["gyro_angle"] = angle
-    return replace(test, reading_noise={n: v for n, v in by_channel.items() if v.any()})
+    levels = {n: v for n, v in by_channel.items() if v.any()}
+    return replace(test, reading_noise=levels, encoder_step=noise.encoder_step)
 
 
 def _find_transient_rows(log: Log, inputs: ReplayInputs, settling_time: float) -> Mask:

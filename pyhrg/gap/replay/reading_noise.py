@@ -16,6 +16,7 @@ from scipy.optimize import nnls
 from pyhrg.common.arrays import Array
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.common.units import ARCSEC
+from pyhrg.gap.replay.table_steps import ERROR_PER_STEP, find_table_step
 from pyhrg.records import Log
 
 DIFFERENCE_ORDER = 4
@@ -35,6 +36,9 @@ SIGNIFICANCE_SIGMA = 4.0
 """A noise counts as present above this many standard errors of its variance. Chosen."""
 MIN_NOISE = 1e-8
 """Noise of an angle below which it counts as none, rad. Chosen."""
+MAX_ROUNDING_NOISE = 2.0
+"""White noise of the encoder, over that of rounding to its steps, up to which it is nothing else.
+Chosen."""
 MAX_STRIDE_RATIO = math.sqrt(2)
 """Variance of the differences of every second row over that of all rows, above which readings move
 and do not jitter. Derived: white noise has 1, a random walk of the table 2."""
@@ -60,6 +64,8 @@ class ReadingNoise:
         the other, s.
     reading_jitter: of the time between the two, where the rest hides whose it is, s.
     row_jitter: of the time of the row, which both share, s.
+    encoder_step: in which the encoder shows the table's angle, rad; 0 where none is seen. Its error
+        is no white noise while the table rests.
     """
 
     encoder: Level = NONE
@@ -67,6 +73,7 @@ class ReadingNoise:
     gyro_jitter: Level = NONE
     reading_jitter: Level = NONE
     row_jitter: Level = NONE
+    encoder_step: float = 0.0
 
     @property
     def jitter(self) -> float:
@@ -115,7 +122,10 @@ def estimate_reading_noise(logs: Sequence[Log]) -> ReadingNoise:
     _, reading_jitter = _fit_levels([own.apart for own in variances], by_interval=True)
     if not row_jitter.value or encoder_jitter.value or gyro_jitter.value:
         reading_jitter = NONE
-    return ReadingNoise(encoder, encoder_jitter, gyro_jitter, reading_jitter, row_jitter)
+    step = find_table_step(logs)
+    if encoder.value < MAX_ROUNDING_NOISE * ERROR_PER_STEP * step:
+        encoder = NONE
+    return ReadingNoise(encoder, encoder_jitter, gyro_jitter, reading_jitter, row_jitter, step)
 
 
 def _measure_variances(log: Log) -> Iterator[Variances]:
@@ -236,6 +246,11 @@ def _solve(variances: Sequence[Variance], columns: Sequence[Array]) -> tuple[lis
 def describe_reading_noise(noise: ReadingNoise) -> list[str]:
     """A sentence for each noise that is there."""
     sentences = []
+    if noise.encoder_step:
+        sentences.append(
+            f"table_angle_deg: in steps of {noise.encoder_step / ARCSEC:.3g} arcsec: the error of "
+            "rounding counts as noise, and as an offset of each rest"
+        )
     if noise.encoder.value:
         size = noise.encoder.value / ARCSEC
         sentences.append(

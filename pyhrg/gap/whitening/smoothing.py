@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 from pyhrg.common.arrays import Array
 from pyhrg.common.caches.compiled import compile_loop
 from pyhrg.device.device import Device
+from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.whitening.channel_noise import build_angle_noise
 
 COARSE_RATIO = 2.0
@@ -18,6 +19,12 @@ def is_coarsely_quantized(device: Device) -> bool:
     """Whether the quantization step is so large beside the noise of a reading that the quantization
     error repeats with the angle, and is no noise."""
     return device.quantization_step > COARSE_RATIO * device.angle_white_noise
+
+
+def is_table_coarse(test: ObservedTest, device: Device) -> bool:
+    """Whether the same holds of the encoder's steps, where the table turns."""
+    is_coarse = test.encoder_step > COARSE_RATIO * device.angle_white_noise
+    return is_coarse and bool(np.ptp(test.inputs.log.table_angle))
 
 
 def smooth_readings(

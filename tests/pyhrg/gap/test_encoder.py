@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from pyhrg.challenge.truths.form import apply_play
-from pyhrg.common.units import ARCSEC
+from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.gap.diagnose import diagnose
 from pyhrg.gap.effects.coordinates import LAST_MOTION
 from pyhrg.gap.replay.simulation import Simulation
@@ -16,6 +16,7 @@ from tests.pyhrg.gap.soundness.spoil import change_logs
 
 KINDS = ("positions", "rate", "manoeuvre")
 """Tests that turn the table."""
+STEP = 360 * DEG / 2**21
 BACKLASH = 1.2 * ARCSEC
 """Turn of the table by which the encoder stands still after each reversal."""
 
@@ -40,3 +41,20 @@ def test_ripple_and_backlash_are_told_apart(
     (backlash,) = (term for term in found.terms if term.function == f"angle: {LAST_MOTION}")
     low, high = backlash.interval_95["readout_last_motion_arcsec"]
     assert 0.4 < low < BACKLASH / ARCSEC / 2 < high < 0.8
+
+
+def test_steps_of_the_encoder_make_no_gap(simulation: Simulation, recorded_campaign: Path) -> None:
+    """A table shows its angle in steps of 0.62 arcsec: neither the rests nor a rotation that passes
+    the same angles again and again look like an effect."""
+
+    def show(log: Log) -> Log:
+        return replace(log, table_angle=STEP * np.round(log.table_angle / STEP))
+
+    whole = campaign.read_campaign(recorded_campaign.parent / "lab-04")
+    turned = tuple(test for test in whole.tests if test.kind in KINDS)
+    given = change_logs(replace(whole, tests=turned), show)
+    found = diagnose(given, simulation=simulation).diagnosis
+    assert found.verdict == "no_gap"
+    assert not found.terms
+    assert found.unknown_probability < 0.05
+    assert any("steps of 0.618 arcsec" in sentence for sentence in found.excluded)

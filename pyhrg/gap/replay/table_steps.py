@@ -1,0 +1,106 @@
+"""Steps in which a table's encoder shows its angle: what they hide while it rests and turns
+(docs/methods/replay.md, Eqs. 12 and 13)."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.common.arrays import Array
+from pyhrg.common.caches.compiled import compile_loop
+from pyhrg.common.units import ARCSEC
+from pyhrg.records import Log
+
+MIN_STEP, MAX_STEP = 0.02 * ARCSEC, 30 * ARCSEC
+"""Range of the steps that are looked for, rad. Chosen: a smaller one is below any gyro's noise."""
+ROUNDING = 2e-3 * ARCSEC
+"""Error of a reading by the digits of its file, rad. Chosen: six decimals of a degree are 3.6e-3
+arcsec apart."""
+MIN_READINGS = 30
+"""Number of second differences that are no zero, from which a step is found. Chosen."""
+MAX_COUNT = 20
+"""Largest second difference, in steps, to which the step is fitted. Chosen."""
+MAX_OFF_LATTICE = 0.1
+"""Distance from whole multiples, in steps, that most second differences may have. Chosen."""
+ON_LATTICE_SHARE = 0.98
+"""Share of them that may not be further. Chosen: readings beside the lattice are wrong ones."""
+MIN_REST_ROWS = 3
+"""Number of readings that make a rest. Chosen."""
+PLACE_STEPS = 4
+"""Width of an angle that is passed again, in steps. Chosen: readings of one angle differ by one."""
+MIN_PASSES = 3
+"""Number of times that a table passes an angle whose error lasts. Chosen."""
+MAX_PLACES = 100
+"""Number of such angles above which their errors count as white. Chosen."""
+ERROR_PER_STEP = 1 / math.sqrt(12)
+"""Standard deviation of an even rounding error, in steps."""
+
+
+def find_table_step(logs: Sequence[Log]) -> float:
+    """The step of which second differences of the table's angle are whole multiples in all logs,
+    rad; 0 where there is none, or too little turns to say."""
+    parts = [np.diff(log.table_angle, 2) for log in logs]
+    sizes = np.abs(np.concatenate([np.empty(0), *parts]))
+    sizes = sizes[np.isfinite(sizes) & (sizes > 2 * ROUNDING)]
+    small = sizes[sizes < MAX_COUNT * MAX_STEP]
+    if len(small) < MIN_READINGS:
+        return 0.0
+    step = float(np.quantile(small, 0.02))
+    for reach in (2, MAX_COUNT):
+        near = small[small < (reach + 0.5) * step]
+        counts = np.round(near / step)
+        step = float(near @ counts / (counts @ counts)) if counts.any() else 0.0
+    if not MIN_STEP <= step <= MAX_STEP:
+        return 0.0
+    near = small[small < MAX_COUNT * step]
+    apart = np.abs(near / step - np.round(near / step))
+    is_on_lattice = apart < MAX_OFF_LATTICE + 2 * ROUNDING / step
+    return step if np.mean(is_on_lattice) >= ON_LATTICE_SHARE else 0.0
+
+
+def find_rests(table_angle: Array, step: float) -> list[slice]:
+    """Rows of each rest: of readings that stay within a step of the first one."""
+    starts = np.flatnonzero(_begin_rests(table_angle, 1.5 * step))
+    ends = np.append(starts[1:], len(table_angle))
+    pairs = zip(starts.tolist(), ends.tolist(), strict=True)
+    return [slice(begin, end) for begin, end in pairs if end - begin >= MIN_REST_ROWS]
+
+
+@compile_loop
+def _begin_rests(table_angle: Array, reach: float) -> NDArray[np.bool_]:
+    """(n,) whether a reading is further from the first one of a rest than `reach`: it begins the
+    next one."""
+    begins = np.zeros(len(table_angle), dtype=np.bool_)
+    first = np.inf
+    for i, reading in enumerate(table_angle):
+        if abs(reading - first) > reach:
+            first = reading
+            begins[i] = True
+    return begins
+
+
+def find_turning_rows(table_angle: Array) -> NDArray[np.bool_]:
+    """(n,) rows whose reading is not that of the row before, or of the next one."""
+    changed = np.diff(table_angle) != 0
+    return np.asarray(np.append(False, changed) | np.append(changed, False))
+
+
+def shape_rounding_errors(table_angle: Array, step: float) -> Array:
+    """(n, r) standard deviations of the output angle's errors by rounding that last, rad: one of
+    each rest, and one of each angle that a turning table passes again and again. The angle at the
+    start is wrong by that of the first rest."""
+    if not (step and np.ptp(table_angle)):
+        return np.zeros((len(table_angle), 0))
+    count = round(2 * math.pi / (PLACE_STEPS * step))
+    places = np.round(table_angle / (2 * math.pi) * count) % count
+    places[~find_turning_rows(table_angle)] = np.nan
+    found, counts = np.unique(places[np.isfinite(places)], return_counts=True)
+    again = found[counts >= MIN_PASSES]
+    shapes = [places == place for place in (again if len(again) <= MAX_PLACES else ())]
+    for rows in find_rests(table_angle, step):
+        rest = np.zeros(len(table_angle), dtype=bool)
+        rest[rows] = True
+        shapes.append(rest)
+    columns = np.array(shapes, dtype=float).reshape(-1, len(table_angle)).T
+    return np.asarray(ERROR_PER_STEP * step * columns)

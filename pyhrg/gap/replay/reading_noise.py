@@ -128,6 +128,15 @@ def estimate_reading_noise(logs: Sequence[Log]) -> ReadingNoise:
     return ReadingNoise(encoder, encoder_jitter, gyro_jitter, reading_jitter, row_jitter, step)
 
 
+def estimate_encoder_noise(log: Log) -> float:
+    """Standard deviation of the encoder's noise in the rows of a log in which the table turns least,
+    rad; 0 where it is insignificant."""
+    slowest = next((each.encoder for each in _measure_variances(log) if each.encoder), None)
+    if slowest is None or slowest.value < SIGNIFICANCE_SIGMA * slowest.error:
+        return 0.0
+    return math.sqrt(slowest.value)
+
+
 def _measure_variances(log: Log) -> Iterator[Variances]:
     """Variances in the rows of a log, by octaves of the table's rate."""
     table, gyro = (np.diff(a, DIFFERENCE_ORDER) for a in (log.table_angle, log.gyro_angle))

@@ -19,6 +19,7 @@ from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import WIDE, GyroFmu
 from pyhrg.gap.replay.instruments import estimate_toggling_step
+from pyhrg.gap.replay.reading_noise import estimate_encoder_noise
 from pyhrg.gap.replay.soak import is_soaked
 from pyhrg.gap.replay.table_motion import TableMotion, estimate_table_motion
 from pyhrg.records import COLUMNS, Log
@@ -91,7 +92,7 @@ def prepare_inputs(log: Log, nominal: Device) -> ReplayInputs:
     return ReplayInputs(
         log,
         estimate_start_angle(log, nominal.bryan_factor),
-        estimate_table_motion(log.table_angle, log.interval),
+        estimate_table_motion(log.table_angle, log.interval, estimate_encoder_noise(log)),
         temperatures,
         is_soaked=is_soaked(log, temperatures, nominal),
     )

@@ -12,6 +12,9 @@ from pyhrg.common.arrays import Array
 NEGLIGIBLE_TURN = 1e-8
 """Turn of the table in a row that counts as zero, rad. Chosen: about three times the largest second
 difference, 3.5e-9, that rounding to the format's seven decimals of a degree makes."""
+NOISE_TURN = 4.0
+"""Standard deviations of the encoder's noise that also do. Chosen: the difference of two readings
+has the root of two of them, and exceeds four once in 200."""
 MAX_ITERATIONS = 40
 """Most iterations of the reweighted fit. Chosen."""
 CONVERGENCE_SHARE = 0.1
@@ -65,26 +68,28 @@ def _integrate_parabola(share: Array) -> Array:
     return share**2 * (3 - 2 * share)
 
 
-def estimate_table_motion(table_angle: Array, interval: float) -> TableMotion:
+def estimate_table_motion(table_angle: Array, interval: float, noise: float = 0.0) -> TableMotion:
     """The motion that reproduces exactly the encoder's readings at the rows' ends, (n,) rad, from 0
-    at the start.
+    at the start; `noise` is the standard deviation of theirs.
 
     The piecewise linear rate is taken unless it alternates from bound to bound. It does after
     rounding of the encoder, and after a move that ends within a row. Then the motion with the
     fewest rows with a bend or a parabola is taken (docs/methods/replay.md, Eqs. 2 and 3).
     """
-    return _estimate_once(table_angle.tobytes(), interval)
+    return _estimate_once(table_angle.tobytes(), interval, noise)
 
 
 @lru_cache(maxsize=64)
-def _estimate_once(encoder: bytes, interval: float) -> TableMotion:
+def _estimate_once(encoder: bytes, interval: float, noise: float) -> TableMotion:
     """Motion of readings as bytes; kept, because a test is prepared several times."""
-    means = np.diff(np.frombuffer(encoder), prepend=0.0) / interval
+    readings = np.frombuffer(encoder)
+    means = np.diff(readings, prepend=0.0) / interval
+    negligible = max(NEGLIGIBLE_TURN, NOISE_TURN * noise) / interval
     signs = (-1.0) ** np.arange(len(means))
     linear = _build_motion(means, interval, np.asarray(2 * signs * np.cumsum(signs * means)))
     if _median_bend(linear) <= ALTERNATION_RATIO * NEGLIGIBLE_TURN / interval:
         return linear
-    few = _build_motion(means, interval, _fit_sparse(means, interval))
+    few = _build_motion(means, interval, _fit_sparse(means, negligible))
     return few if ALTERNATION_RATIO * _median_bend(few) < _median_bend(linear) else linear
 
 
@@ -100,15 +105,16 @@ def _median_bend(motion: TableMotion) -> float:
     return NEGLIGIBLE_TURN / motion.interval + float(np.median(bends))
 
 
-def _fit_sparse(means: Array, interval: float) -> Array:
-    """(n,) rates at the rows' ends with the smallest sum of logarithms of bends and parabolas.
+def _fit_sparse(means: Array, negligible: float) -> Array:
+    """(n,) rates at the rows' ends with the smallest sum of logarithms of bends and parabolas, each
+    plus a negligible rate.
 
     Iteratively reweighted least squares (E. J. Candes, M. B. Wakin, S. P. Boyd, J. Fourier Anal.
     Appl. 14 (2008)); docs/methods/replay.md, Eq. 3.
     """
     rates = (means + np.append(means[1:], means[-1])) / 2
-    rates[:-1][(means[1:] == 0) | (means[:-1] == 0)] = 0.0
-    negligible = NEGLIGIBLE_TURN / interval
+    is_at_rest = np.abs(means) <= negligible
+    rates[:-1][is_at_rest[1:] | is_at_rest[:-1]] = 0.0
     for _ in range(MAX_ITERATIONS):
         bounds = np.append(0.0, rates)
         parabolas, bends = means - (bounds[1:] + bounds[:-1]) / 2, np.diff(bounds, 2)

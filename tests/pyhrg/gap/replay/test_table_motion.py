@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pyhrg.common.arrays import Array
-from pyhrg.common.units import DEG
+from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.gap.replay.table_motion import TableMotion, estimate_table_motion
 
 ROWS = 600
@@ -51,6 +51,17 @@ def test_a_smooth_profile_is_reproduced(interval: float) -> None:
     motion = estimate_table_motion(integrate(rates, interval), interval)
     np.testing.assert_allclose(motion.rates, rates, atol=1e-4)
     assert_increments_kept(motion, integrate(rates, interval))
+
+
+@pytest.mark.parametrize("noise", [0.01, 0.1, 1.0])
+def test_noise_of_the_encoder_bends_no_ramp(noise: float) -> None:
+    """The rate at each row's end is known to a few times the noise of a reading a row."""
+    rates = np.tile(np.concatenate([np.zeros(600), np.full(20, 0.07)]), 8)
+    generator = np.random.default_rng(7)
+    angle = integrate(rates, 1.0) + noise * ARCSEC * generator.standard_normal(len(rates) - 1)
+    motion = estimate_table_motion(angle, 1.0, noise * ARCSEC)
+    np.testing.assert_allclose(motion.rates, rates, atol=10 * noise * ARCSEC)
+    assert_increments_kept(motion, angle)
 
 
 def test_a_ramp_of_one_row_is_reproduced() -> None:

@@ -46,8 +46,10 @@ LINEAR_DISTANCE = math.sqrt(NEGLIGIBLE_CHI2 / LINEARIZATION_ERROR)
 sensitivities were taken they are taken again. Derived."""
 MAX_ROUNDS = 20
 """Number of iterations after which the search ends unconverged. Chosen."""
-LINE_WIDTH = 0.02
-"""Share of a period by which that of another line differs. Chosen."""
+PERIOD_TOLERANCE = 1e-4
+"""Share of a line's period that may be wrong. Chosen: a hundredth of a cycle in a hundred."""
+MAX_PERIODS = 3
+"""Number of times that the period is taken anew: from what is left beside other effects. Chosen."""
 MAX_COUNTS = 10
 """Number of searches in a round beside what was left unexplained. Chosen: one to three were
 seen."""
@@ -218,7 +220,9 @@ class _Iteration:
         if error:
             return rank_under_noise(self.noise, nominal, self.parts, error)
         hypothesis = rank_with_forms(self.noise, nominal, self.parts, self._last_exact)
-        if self._take_period(hypothesis):
+        for _ in range(MAX_PERIODS):
+            if not self._take_period(hypothesis):
+                break
             hypothesis = rank_with_forms(self.noise, nominal, self.parts)
         self._last_exact = hypothesis
         return hypothesis
@@ -231,7 +235,7 @@ class _Iteration:
             compute_checked_residuals(hypothesis, effects, self.parts, self._nominal)
         )
         known = self._tests[0].line_period
-        if period is None or (known and math.isclose(period, known, rel_tol=LINE_WIDTH)):
+        if period is None or (known and math.isclose(period, known, rel_tol=PERIOD_TOLERANCE)):
             return False
         self._observe([replace(test, line_period=period) for test in self._tests])
         return True

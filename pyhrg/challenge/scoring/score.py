@@ -238,10 +238,12 @@ def find_areas_over_floor(case: ScoredCase) -> tuple[float, float] | None:
 
 
 def is_settled(case: ScoredCase) -> bool:
-    """Whether exactly the true effects were named with the next test."""
+    """Whether exactly the true effects were named with the next test, beside known parameters that
+    are beyond their tolerance."""
     if case.then is None or case.then.verdict != "explained":
         return False
-    return {frozenset({e}) for e in case.truth.effects} == set(list_named(case.then))
+    named = {each for each in list_named(case.then) if not each & {*case.truth.beyond}}
+    return named == {frozenset({effect}) for effect in case.truth.effects}
 
 
 def list_claims(case: ScoredCase) -> list[tuple[float, bool]]:

@@ -145,6 +145,9 @@ def test_next_test_settles_what_is_then_named_alone() -> None:
     assert score.is_settled(judged(single(), before, alone))
     assert not score.is_settled(judged(single(), before, before))
     assert not score.is_settled(judged(single(), before, said(Cause(GAIN, 0.9))))
+    both = said(Cause(DAMPING, 0.9), Cause("site_latitude", 1.0))
+    assert not score.is_settled(judged(single(), before, both))
+    assert score.is_settled(judged(replace(single(), beyond=("site_latitude",)), before, both))
 
 
 def test_probabilities_are_held_against_the_truth() -> None:

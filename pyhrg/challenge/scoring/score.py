@@ -184,8 +184,8 @@ def is_alarm(case: ScoredCase) -> bool:
 
 
 def is_blamed(case: ScoredCase) -> bool:
-    """The diagnosis explains the gap by named causes alone."""
-    return not is_unexplained(case) and bool(list_named(case.diagnosis))
+    """The diagnosis explains the gap by named causes alone, and not all of them are there."""
+    return not is_unexplained(case) and is_wrong(case)
 
 
 def is_placed(case: ScoredCase) -> bool:

@@ -139,6 +139,13 @@ def test_a_term_is_placed_by_any_of_its_coordinates() -> None:
     assert figures["a term where there is none"].value == 0.5
 
 
+def test_a_form_is_blamed_on_what_is_not_there() -> None:
+    outside = Truth("outside", beyond=("site_latitude",))
+    assert score.is_blamed(judged(outside, said(Cause(GAIN, 0.9))))
+    assert not score.is_blamed(judged(outside, said(Cause("site_latitude", 1.0))))
+    assert not score.is_blamed(judged(outside, unexplained()))
+
+
 def test_next_test_settles_what_is_then_named_alone() -> None:
     before = said(Cause(GAIN, 0.6, equivalents=(DAMPING,)), verdict="ambiguous")
     alone = said(Cause(DAMPING, 0.9))

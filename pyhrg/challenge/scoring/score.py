@@ -212,7 +212,9 @@ def is_owned(case: ScoredCase) -> bool:
     if is_unexplained(case):
         return find_main_coordinate(diagnosis) in COORDINATES[truth.effects[0]]
     named, stand_ins = list_named(diagnosis), set(truth.stand_ins)
-    return is_blamed(case) and bool(named) and all(effects & stand_ins for effects in named)
+    allowed = stand_ins | {*truth.beyond}
+    is_there = any(effects & stand_ins for effects in named)
+    return is_there and all(effects & allowed for effects in named)
 
 
 def find_main_coordinate(diagnosis: Diagnosis) -> str | None:
@@ -242,8 +244,10 @@ def is_settled(case: ScoredCase) -> bool:
     are beyond their tolerance."""
     if case.then is None or case.then.verdict != "explained":
         return False
-    named = {each for each in list_named(case.then) if not each & {*case.truth.beyond}}
-    return named == {frozenset({effect}) for effect in case.truth.effects}
+    true = {frozenset({effect}) for effect in case.truth.effects}
+    beyond = {*case.truth.beyond} - {*case.truth.effects}
+    named = {*list_named(case.then)}
+    return true <= named and all(each & beyond for each in named - true)
 
 
 def list_claims(case: ScoredCase) -> list[tuple[float, bool]]:

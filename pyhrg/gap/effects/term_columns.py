@@ -52,6 +52,7 @@ def generate_terms(where: Coordinates, channel: str) -> Iterator[PlacedTerm]:
             yield _make_term(channel, coordinate, function, harmonic), block, _show
     if channel == "amplitude":
         yield from _generate_free_decay(where)
+        yield from _generate_misread_decay(where)
     if channel in FORCES:
         yield from _generate_misread_amplitude(where, channel)
     if channel in ("gyro_angle", "amplitude_force", "quadrature_force"):
@@ -178,6 +179,23 @@ def _generate_products(where: Coordinates) -> Functions:
     yield "rate", *where.multiply("rate", rate, "the temperature")
     for words in SPECIFIC_FORCES:
         yield "acceleration", *where.multiply(words, where.factors[words], "the temperature")
+
+
+def _generate_misread_decay(where: Coordinates) -> Iterator[PlacedTerm]:
+    """What linear errors of the pick-offs make of the amplitude while the drive is off, and nothing
+    holds what they read."""
+    is_driven = where.test.log.drive_on > 0
+    rows = np.arange(len(is_driven))
+    last = np.maximum.accumulate(np.where(is_driven, rows, 0))
+
+    def show(block: Array) -> Array:
+        error = _misread(where, block)
+        return where.level[:, None] * (error - error[last])
+
+    for m, coordinate, function, harmonic, block in _generate_electrode_errors(where):
+        if m in LINEAR_HARMONICS:
+            key = ("gyro_angle", coordinate, function, harmonic)
+            yield _make_term(*key, "pick-off"), block, show
 
 
 def _generate_electrode_errors(

@@ -67,7 +67,7 @@ class ObservedTest:
     transient: (n,) rows in which loops are not settled, so that their replay needs sampled loops.
     reading_noise: (n,) by channel, SI: standard deviation of the white noise that readings of the
         bench's angles add to a comparison; a channel without any is missing.
-    encoder_step: in which the encoder shows the table's angle, rad; 0 where none is seen.
+    encoder_step: difference of neighbouring readings of the encoder, rad; 0 where none is seen.
     noise_growth: (n,) by channel: standard deviation of its noise over that at nominal amplitude;
         a channel whose noise does not grow is missing.
     line_period: of a line that the residuals of the campaign show, s.

@@ -37,8 +37,8 @@ SIGNIFICANCE_SIGMA = 4.0
 MIN_NOISE = 1e-8
 """Noise of an angle below which it counts as none, rad. Chosen."""
 MAX_ROUNDING_NOISE = 2.0
-"""White noise of the encoder, over that of rounding to its steps, up to which it is nothing else.
-Chosen."""
+"""White noise of the encoder, over that of rounding to its steps, up to which it counts as
+rounding. Chosen."""
 MAX_STRIDE_RATIO = math.sqrt(2)
 """Variance of the differences of every second row over that of all rows, above which readings move
 and do not jitter. Derived: white noise has 1, a random walk of the table 2."""
@@ -64,8 +64,8 @@ class ReadingNoise:
         the other, s.
     reading_jitter: of the time between the two, where the rest hides whose it is, s.
     row_jitter: of the time of the row, which both share, s.
-    encoder_step: in which the encoder shows the table's angle, rad; 0 where none is seen. Its error
-        is no white noise while the table rests.
+    encoder_step: difference of neighbouring readings of the encoder, rad; 0 where none is seen. The
+        error of rounding is no white noise while the table rests.
     """
 
     encoder: Level = NONE
@@ -125,16 +125,19 @@ def estimate_reading_noise(logs: Sequence[Log]) -> ReadingNoise:
     step = find_table_step(logs)
     if encoder.value < MAX_ROUNDING_NOISE * ERROR_PER_STEP * step:
         encoder = NONE
+    else:
+        step = 0.0  # the noise makes rounding white, and has it
     return ReadingNoise(encoder, encoder_jitter, gyro_jitter, reading_jitter, row_jitter, step)
 
 
 def estimate_encoder_noise(log: Log) -> float:
-    """Standard deviation of the encoder's noise in the rows of a log in which the table turns least,
-    rad; 0 where it is insignificant."""
-    slowest = next((each.encoder for each in _measure_variances(log) if each.encoder), None)
-    if slowest is None or slowest.value < SIGNIFICANCE_SIGMA * slowest.error:
+    """Standard deviation of the encoder's noise while the table of a log rests, rad; 0 where it is
+    insignificant."""
+    variances = [each.encoder for each in _measure_variances(log) if each.encoder]
+    at_rest = [variance for variance in variances if not variance.square_rate]
+    if not at_rest or at_rest[0].value < SIGNIFICANCE_SIGMA * at_rest[0].error:
         return 0.0
-    return math.sqrt(slowest.value)
+    return math.sqrt(at_rest[0].value)
 
 
 def _measure_variances(log: Log) -> Iterator[Variances]:

@@ -13,8 +13,8 @@ NEGLIGIBLE_TURN = 1e-8
 """Turn of the table in a row that counts as zero, rad. Chosen: about three times the largest second
 difference, 3.5e-9, that rounding to the format's seven decimals of a degree makes."""
 NOISE_TURN = 4.0
-"""Standard deviations of the encoder's noise that also do. Chosen: the difference of two readings
-has the root of two of them, and exceeds four once in 200."""
+"""Turn of the table in a row that counts as zero, in standard deviations of the encoder's noise.
+Chosen: the difference of two readings exceeds it once in 200."""
 MAX_ITERATIONS = 40
 """Most iterations of the reweighted fit. Chosen."""
 CONVERGENCE_SHARE = 0.1

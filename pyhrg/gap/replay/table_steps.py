@@ -25,25 +25,30 @@ MAX_OFF_LATTICE = 0.1
 """Distance from whole multiples, in steps, that most second differences may have. Chosen."""
 ON_LATTICE_SHARE = 0.98
 """Share of them that may not be further. Chosen: readings beside the lattice are wrong ones."""
-MIN_REST_ROWS = 3
+MIN_APART = 0.3
+"""Median of the second differences of table less gyro, in steps, above which the gyro does not show
+the steps. Chosen: rounding has 0.5, a motion none."""
+MIN_REST_ROWS = 10
 """Number of readings that make a rest. Chosen."""
 PLACE_STEPS = 4
 """Width of an angle that is passed again, in steps. Chosen: readings of one angle differ by one."""
 MIN_PASSES = 3
 """Number of times that a table passes an angle whose error lasts. Chosen."""
-MAX_PLACES = 100
-"""Number of such angles above which their errors count as white. Chosen."""
+MAX_SHAPES = 100
+"""Number of rests, or of such angles, above which their errors count as white. Chosen."""
 ERROR_PER_STEP = 1 / math.sqrt(12)
 """Standard deviation of an even rounding error, in steps."""
 
 
 def find_table_step(logs: Sequence[Log]) -> float:
     """The step of which second differences of the table's angle are whole multiples in all logs,
-    rad; 0 where there is none, or too little turns to say."""
-    parts = [np.diff(log.table_angle, 2) for log in logs]
-    sizes = np.abs(np.concatenate([np.empty(0), *parts]))
-    sizes = sizes[np.isfinite(sizes) & (sizes > 2 * ROUNDING)]
-    small = sizes[sizes < MAX_COUNT * MAX_STEP]
+    rad, while those of the gyro's angle are not; 0 where there is none, or where the table turns
+    too little to say."""
+    tables = np.concatenate([np.empty(0), *(np.diff(log.table_angle, 2) for log in logs)])
+    gyros = np.concatenate([np.empty(0), *(np.diff(log.gyro_angle, 2) for log in logs)])
+    sizes = np.abs(tables)
+    is_small = np.isfinite(gyros) & (sizes > 2 * ROUNDING) & (sizes < MAX_COUNT * MAX_STEP)
+    small, apart = sizes[is_small], np.abs(tables - gyros)[is_small]
     if len(small) < MIN_READINGS:
         return 0.0
     step = float(np.quantile(small, 0.02))
@@ -51,11 +56,11 @@ def find_table_step(logs: Sequence[Log]) -> float:
         near = small[small < (reach + 0.5) * step]
         counts = np.round(near / step)
         step = float(near @ counts / (counts @ counts)) if counts.any() else 0.0
-    if not MIN_STEP <= step <= MAX_STEP:
+    if not MIN_STEP <= step <= MAX_STEP or np.median(apart) < MIN_APART * step:
         return 0.0
     near = small[small < MAX_COUNT * step]
-    apart = np.abs(near / step - np.round(near / step))
-    is_on_lattice = apart < MAX_OFF_LATTICE + 2 * ROUNDING / step
+    distances = np.abs(near / step - np.round(near / step))
+    is_on_lattice = distances < MAX_OFF_LATTICE + 2 * ROUNDING / step
     return step if np.mean(is_on_lattice) >= ON_LATTICE_SHARE else 0.0
 
 
@@ -88,19 +93,26 @@ def find_turning_rows(table_angle: Array) -> NDArray[np.bool_]:
 
 def shape_rounding_errors(table_angle: Array, step: float) -> Array:
     """(n, r) standard deviations of the output angle's errors by rounding that last, rad: one of
-    each rest, and one of each angle that a turning table passes again and again. The angle at the
-    start is wrong by that of the first rest."""
-    if not (step and np.ptp(table_angle)):
+    the start, from the first move on, one of each later rest, and one of each angle that a turning
+    table passes again and again. None where there are too many rests."""
+    rests = find_rests(table_angle, step) if step else []
+    if not (step and np.ptp(table_angle)) or len(rests) > MAX_SHAPES:
         return np.zeros((len(table_angle), 0))
+    rows = np.arange(len(table_angle))
+    is_at = [(rows >= rest.start) & (rows < rest.stop) for rest in rests]
+    begin = is_at.pop(0) if rests and rests[0].start == 0 else rows < 0
+    shapes = [~begin, *is_at, *_find_places(table_angle, step, np.any([begin, *is_at], axis=0))]
+    return np.asarray(ERROR_PER_STEP * step * np.array(shapes, dtype=float).T)
+
+
+def _find_places(
+    table_angle: Array, step: float, is_at_rest: NDArray[np.bool_]
+) -> list[NDArray[np.bool_]]:
+    """(n,) rows of each angle that is passed several times; none if there are many."""
     count = round(2 * math.pi / (PLACE_STEPS * step))
     places = np.round(table_angle / (2 * math.pi) * count) % count
-    places[~find_turning_rows(table_angle)] = np.nan
-    found, counts = np.unique(places[np.isfinite(places)], return_counts=True)
-    again = found[counts >= MIN_PASSES]
-    shapes = [places == place for place in (again if len(again) <= MAX_PLACES else ())]
-    for rows in find_rests(table_angle, step):
-        rest = np.zeros(len(table_angle), dtype=bool)
-        rest[rows] = True
-        shapes.append(rest)
-    columns = np.array(shapes, dtype=float).reshape(-1, len(table_angle)).T
-    return np.asarray(ERROR_PER_STEP * step * columns)
+    places[is_at_rest] = np.nan
+    passes = places[np.diff(places, prepend=np.nan) != 0]
+    distinct, counts = np.unique(passes[np.isfinite(passes)], return_counts=True)
+    recurring = distinct[counts >= MIN_PASSES]
+    return [places == place for place in recurring] if len(recurring) <= MAX_SHAPES else []

@@ -22,7 +22,8 @@ def is_coarsely_quantized(device: Device) -> bool:
 
 
 def is_table_coarse(test: ObservedTest, device: Device) -> bool:
-    """Whether the same holds of the encoder's steps, where the table turns."""
+    """Whether the encoder's step is so large beside the noise of a reading of the gyro, and the
+    table turns, that the error of rounding repeats with the table angle."""
     is_coarse = test.encoder_step > COARSE_RATIO * device.angle_white_noise
     return is_coarse and bool(np.ptp(test.inputs.log.table_angle))
 

@@ -155,15 +155,11 @@ def whiten(
     if unmodelled is None or not unmodelled.any():
         return _whiten_by_filter(series, steps, noise)
     both = _whiten_by_filter(np.column_stack([series, unmodelled]), steps, noise)
-    white, log_determinant = both.series, both.log_determinant
-    while white.shape[1] > series.shape[1]:
-        shape, white = white[:, -1], white[:, :-1]
-        if power := float(shape @ shape):
-            removed = np.outer(shape, shape @ white)
-            removed *= (1 - 1 / np.sqrt(1 + power)) / power
-            white -= removed
-            log_determinant += float(np.log1p(power))
-    return WhitenedSeries(white, log_determinant)
+    white, shapes = np.split(both.series, [series.shape[1]], axis=1)
+    units, sizes, _ = np.linalg.svd(shapes, full_matrices=False)
+    shrinking = 1 - 1 / np.sqrt(1 + sizes**2)
+    white = white - units @ (shrinking[:, None] * (units.T @ white))
+    return WhitenedSeries(white, both.log_determinant + float(np.log1p(sizes**2).sum()))
 
 
 def _whiten_by_filter(series: Array, steps: Array, noise: NoiseModel) -> WhitenedSeries:

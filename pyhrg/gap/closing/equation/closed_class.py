@@ -127,7 +127,7 @@ def _list_uses(terms: Sequence[Term], added: Sequence[str]) -> list[str]:
     if "freeDamping" in added:
         used.add("freeDecay")
     if "addedMisreading" in added:
-        used |= {"misreading", "misreadingSlope"}
+        used |= {"misreading", "misreadingSlope", "freeMisreading"}
     if used & SAMPLED.keys():
         used.add("started")
     return [name for name in (*COORDINATES, "tableAngle", "amplitudeExcess", *SAMPLED)

@@ -91,7 +91,7 @@ BY_CHANNEL = {
 MISREAD_AMPLITUDE = (
     Response("addedMisreading", f"2*{GAIN}", is_turned=True),
     Response("addedRate", f"-2*{GAIN}*virtualRotation", is_turned=True),
-    Response("addedAmplitudeForce", f"-2*{GAIN}*gyro.controller.commandedTurn"),
+    Response("addedAmplitudeForce", f"-4*{GAIN}^2*virtualRotation"),
 )
 """What a linear error of the pick-offs does beside its error of the angle."""
 

@@ -13,11 +13,12 @@ OUTPUTS = {
     "amplitude": {
         "addedAmplitude": " + addedAmplitude",
         "freeDamping": " + gyro.amplitude*(exp(-freeDecay) - 1)",
+        "addedMisreading": " + gyro.amplitude*freeMisreading",
     },
     "quadrature": {},
     "amplitudeForce": {
         "addedAmplitudeForce": " + addedAmplitudeForce",
-        "addedMisreading": f" - addedMisreading*{GROWTH} - misreadingSlope",
+        "addedMisreading": f" - addedMisreading*{GROWTH} - driveOn*misreadingSlope",
     },
     "quadratureForce": {
         "addedQuadratureForce": " + addedQuadratureForce",
@@ -79,7 +80,10 @@ SAMPLED = {
                   "pre(freeDecay) + 0.01*pre(started)*(1 - driveOn)*freeDamping"),
     "misreadingSlope": ("Rate of the amplitude's error, over 1/s",
                         "pre(started)*(addedMisreading - pre(misreading))/0.01"),
-    "misreading": ("The same error", "addedMisreading"),
+    "misreading": ("Error of the amplitude that the pick-offs read, at the last sample",
+                   "addedMisreading"),
+    "freeMisreading": ("Change of that error since the drive was switched off",
+                       "(1 - driveOn)*(pre(freeMisreading) + 0.01*misreadingSlope)"),
     "started": ("1 from the first sample on", "1"),
 }  # fmt: skip
 """Meaning and equation, every 10 ms, of variables with a memory; they are steady at power-on."""

@@ -46,8 +46,8 @@ LINEAR_DISTANCE = math.sqrt(NEGLIGIBLE_CHI2 / LINEARIZATION_ERROR)
 sensitivities were taken they are taken again. Derived."""
 MAX_ROUNDS = 20
 """Number of iterations after which the search ends unconverged. Chosen."""
-PERIOD_TOLERANCE = 1e-4
-"""Share of a line's period that may be wrong. Chosen: a hundredth of a cycle in a hundred."""
+PHASE_TOLERANCE = 0.01
+"""Cycles by which a line may be wrong at the end of the longest test. Chosen."""
 MAX_PERIODS = 3
 """Number of times that the period is taken anew: from what is left beside other effects. Chosen."""
 MAX_COUNTS = 10
@@ -164,10 +164,11 @@ class _Iteration:
 
     def search(self) -> Hypothesis:
         """The most probable hypothesis, beside which no more is left unexplained than counted."""
+        self._search()
         for _ in range(MAX_COUNTS):
-            self._search()
             if self._linearization_error or not self._count_unexplained():
                 break
+            self._search()
         return self.posterior.best
 
     def _search(self) -> None:
@@ -235,7 +236,10 @@ class _Iteration:
             compute_checked_residuals(hypothesis, effects, self.parts, self._nominal)
         )
         known = self._tests[0].line_period
-        if period is None or (known and math.isclose(period, known, rel_tol=PERIOD_TOLERANCE)):
+        if period is None:
+            return False
+        longest = max(test.log.time[-1] for test in self._tests)
+        if known and abs(period / known - 1) * longest < PHASE_TOLERANCE * known:
             return False
         self._observe([replace(test, line_period=period) for test in self._tests])
         return True

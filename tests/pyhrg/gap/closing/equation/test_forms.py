@@ -77,7 +77,7 @@ def _respond(term: CandidateTerm, channel: str, basis: Basis, where: Coordinates
     numbers = {"": 1.0, GROWTH: driven, "-virtualRotation": -log.virtual_rotation,
                "-gyro.amplitudeForce": -driven, f"1/(2*{GAIN})": 1 / (2 * gain),
                f"-2*{GAIN}*virtualRotation": -2 * gain * log.virtual_rotation,
-               f"-2*{GAIN}*gyro.controller.commandedTurn": -4 * gain**2 * log.virtual_rotation,
+               f"-4*{GAIN}^2*virtualRotation": -4 * gain**2 * log.virtual_rotation,
                }  # fmt: skip
     added = dict.fromkeys(("addedRate", "addedAngle", "addedAmplitudeForce"), np.zeros(len(driven)))
     for response in find_acting(term).responses:

@@ -150,6 +150,38 @@ def test_one_size_of_a_term_explains_an_effect_in_all_channels(
     assert np.linalg.norm(left) < MAX_LEFT
 
 
+def test_a_free_pattern_shows_what_its_pickoffs_misread(simulation: Simulation) -> None:
+    """While the drive is off nothing holds the amplitude that they read."""
+    turns = np.arange(200)
+    log = replace(
+        made_up_log(200, noise=0.0),
+        acceleration_x=np.full(200, 9.8),
+        drive_on=(turns < 60) * 1.0,
+        table_angle=0.2 * DEG * turns,
+    )
+    device = NOMINAL.without_noise()
+    observed = observe_test(Test("test", "ring_down", "fit", log), device)
+    where = compute_coordinates(observed, simulation.simulate(device, observed), device)
+    effect, function = (
+        EFFECTS["g_sensitive_gain"],
+        "pick-off: harmonic 4 of the pattern angle, times acceleration x",
+    )
+    response = compute_sensitivities(simulation, device, observed, [effect])[effect]
+    by_output = (
+        device.bryan_factor
+        * simulation.differentiate_by_angle(device, observed).slopes["amplitude"]
+    )
+    expected = response["amplitude"][:, 0] + by_output * response["gyro_angle"][:, 0]
+    columns = {term.function: block for term, block in build_term_columns(where, "amplitude")}
+    reading = {term.function: values for term, values in build_reading_columns(where, ())}
+    shown = columns[function] + by_output[:, None] * reading[function]
+    size = np.array([0.0, 10 / (4 * device.bryan_factor)])  # of a gain per m/s^2
+    is_free = log.drive_on == 0
+    apart = (shown @ size - expected)[is_free]
+    assert np.abs(apart).max() < 0.02 * np.abs(expected[is_free]).max()
+    assert np.abs(expected[is_free]).max() > 1
+
+
 def test_the_amplitude_coordinate_of_a_free_pattern_is_simulated() -> None:
     """With the drive on it is the commanded amplitude. The logged one is not used. A free pattern
     becomes an ellipse by its frequency split: its energy counts."""

@@ -61,11 +61,11 @@ def prepare_campaign(
         CampaignError: no test can be fitted.
     """
     nominal, started, excluded, faults = _select_tests(campaign)
-    observed = observe_tests(started, nominal)
+    noise = estimate_reading_noise([t.log for t in started if not t.is_holdout])
+    observed = observe_tests(started, nominal, noise.encoder.value)
     to_fit = [test for test in observed if not test.test.is_holdout]
     nominal, notes = complete_stated_noise(simulation, nominal, to_fit)
     quantization = find_quantization(to_fit, nominal.quantization_step, noises)
-    noise = estimate_reading_noise([t.log for t in started if not t.is_holdout])
     excluded += (*notes, *describe_reading_noise(noise))
     observed = [_complete_test(simulation, nominal, test, noise) for test in observed]
     excluded += _describe_soaked(observed)
@@ -108,10 +108,13 @@ def _select_tests(
     return nominal_device(usable), started, excluded, faults
 
 
-def observe_tests(tests: Sequence[Test], nominal: Device) -> list[ObservedTest]:
-    """What each test has to compare. Where one begins with a settled resonator, all may: a
-    laboratory that waits before one log waits before others."""
-    observed = [observe_test(test, nominal) for test in tests]
+def observe_tests(
+    tests: Sequence[Test], nominal: Device, encoder_noise: float = 0.0
+) -> list[ObservedTest]:
+    """What each test has to compare; `encoder_noise`, rad, is that of all logs. Where one begins
+    with a settled resonator, all may: a laboratory that waits before one log waits before
+    others."""
+    observed = [observe_test(test, nominal, encoder_noise) for test in tests]
     if not any(test.inputs.is_soaked for test in observed):
         return observed
     return [replace(test, inputs=settle_inputs(test.inputs, nominal)) for test in observed]

@@ -16,6 +16,7 @@ from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu, put_terms
 from pyhrg.gap.findings.diagnosis import Diagnosis, DiagnosisError
 from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 from pyhrg.gap.replay.observations import observe_test
+from pyhrg.gap.replay.reading_noise import estimate_reading_noise
 from pyhrg.gap.replay.replay import has_start_angle
 from pyhrg.gap.replay.simulation import Simulation, load_simulation, replay_sampled
 from pyhrg.gap.soundness import nominal_device
@@ -82,7 +83,8 @@ def predict(
     log, notes = _repair_inputs(log, nominal, findings)
     for note in notes:
         report(note)
-    test = observe_test(Test("prediction", "manoeuvre", "holdout", log), nominal)
+    noise = estimate_reading_noise([log]).encoder.value
+    test = observe_test(Test("prediction", "manoeuvre", "holdout", log), nominal, noise)
     if findings.terms:
         fmu = load_closed_fmu(identified, findings.terms)
         answers = replay_sampled(fmu, put_terms(identified, findings.terms), test.inputs)

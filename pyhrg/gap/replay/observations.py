@@ -102,11 +102,12 @@ def compute_settling_time(device: Device) -> float:
     return max(MIN_SETTLING_TIME, SETTLING_TIME_CONSTANTS / slowest)
 
 
-def observe_test(test: Test, nominal: Device) -> ObservedTest:
+def observe_test(test: Test, nominal: Device, encoder_noise: float = 0.0) -> ObservedTest:
     """Select what a test has to compare (docs/methods/replay.md, "Rows that are compared"). Its log
-    has complete inputs; the nominal device gives the start angle, and the loops' settling time."""
+    has complete inputs; the nominal device gives the start angle, and the loops' settling time.
+    `encoder_noise`, rad: see `prepare_inputs`."""
     log = test.log
-    inputs = prepare_inputs(log, nominal)
+    inputs = prepare_inputs(log, nominal, encoder_noise)
     transient = _find_transient_rows(log, inputs, compute_settling_time(nominal))
     coarse = COARSE_SETTLING_STEPS * min(COARSE_STEP, log.interval)
     changed = find_command_changes(log)

@@ -130,16 +130,6 @@ def estimate_reading_noise(logs: Sequence[Log]) -> ReadingNoise:
     return ReadingNoise(encoder, encoder_jitter, gyro_jitter, reading_jitter, row_jitter, step)
 
 
-def estimate_encoder_noise(log: Log) -> float:
-    """Standard deviation of the encoder's noise while the table of a log rests, rad; 0 where it is
-    insignificant."""
-    variances = [each.encoder for each in _measure_variances(log) if each.encoder]
-    at_rest = [variance for variance in variances if not variance.square_rate]
-    if not at_rest or at_rest[0].value < SIGNIFICANCE_SIGMA * at_rest[0].error:
-        return 0.0
-    return math.sqrt(at_rest[0].value)
-
-
 def _measure_variances(log: Log) -> Iterator[Variances]:
     """Variances in the rows of a log, by octaves of the table's rate."""
     table, gyro = (np.diff(a, DIFFERENCE_ORDER) for a in (log.table_angle, log.gyro_angle))

@@ -19,7 +19,6 @@ from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import WIDE, GyroFmu
 from pyhrg.gap.replay.instruments import estimate_toggling_step
-from pyhrg.gap.replay.reading_noise import estimate_encoder_noise
 from pyhrg.gap.replay.soak import is_soaked
 from pyhrg.gap.replay.table_motion import TableMotion, estimate_table_motion
 from pyhrg.records import COLUMNS, Log
@@ -83,8 +82,9 @@ class ReplayInputs:
         )
 
 
-def prepare_inputs(log: Log, nominal: Device) -> ReplayInputs:
-    """Inputs of a log of one power-on, from its start, whose rows are complete."""
+def prepare_inputs(log: Log, nominal: Device, encoder_noise: float = 0.0) -> ReplayInputs:
+    """Inputs of a log of one power-on, from its start, whose rows are complete; `encoder_noise` is
+    the standard deviation of the table encoder's readings, rad."""
     temperature = np.append(log.temperature[0], log.temperature)
     step = estimate_toggling_step(list_measured_temperatures(log))
     log = replace(log, table_angle=_average_steady(log.table_angle))
@@ -92,7 +92,7 @@ def prepare_inputs(log: Log, nominal: Device) -> ReplayInputs:
     return ReplayInputs(
         log,
         estimate_start_angle(log, nominal.bryan_factor),
-        estimate_table_motion(log.table_angle, log.interval, estimate_encoder_noise(log)),
+        estimate_table_motion(log.table_angle, log.interval, encoder_noise),
         temperatures,
         is_soaked=is_soaked(log, temperatures, nominal),
     )

@@ -6,12 +6,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.challenge.truths.form import apply_play
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.gap.diagnose import diagnose
+from pyhrg.gap.effects.catalogue import EFFECTS, Catalogue
 from pyhrg.gap.effects.coordinates import LAST_MOTION
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records import Log, campaign
+from tests.pyhrg.gap.closing.equation.planted import record_planted
+from tests.pyhrg.gap.soundness.conftest import NOMINAL
 from tests.pyhrg.gap.soundness.spoil import change_logs
 
 KINDS = ("positions", "rate", "manoeuvre")
@@ -58,3 +62,24 @@ def test_steps_of_the_encoder_make_no_gap(simulation: Simulation, recorded_campa
     assert not found.terms
     assert found.unknown_probability < 0.05
     assert any("steps of 0.618 arcsec" in sentence for sentence in found.excluded)
+
+
+def test_noise_of_the_encoder_is_no_slower_move_of_the_table(simulation: Simulation) -> None:
+    """A filter's delay shows where moves begin and end. The logs of fast rotation rest too shortly
+    to tell the encoder's noise: that of all logs counts."""
+    generator = np.random.default_rng(9)
+
+    def disturb(log: Log) -> Log:
+        noise = 0.09 * ARCSEC * generator.standard_normal(len(log.time))
+        return replace(log, table_angle=log.table_angle + noise)
+
+    device = replace(NOMINAL, filter_delay=4e-4)
+    recorded = record_planted(simulation.sampled, Disturbance(), 9, device=device)
+    few = Catalogue((EFFECTS["filter_delay"], EFFECTS["loop_delay"]))
+    found = diagnose(change_logs(recorded, disturb), catalogue=few, simulation=simulation).diagnosis
+    (cause,) = found.causes
+    assert (found.verdict, cause.effect) == ("explained", "filter_delay")
+    low, high = cause.interval_95["filter_delay_s"]
+    assert low <= 4e-4 <= high
+    assert high - low < 1e-5
+    assert not found.terms

@@ -66,7 +66,6 @@ class LinearTest:
     sensitivities: (n, d) by channel, for each effect: change of a channel per unit of its vector.
     where: coordinates of the rows.
     slopes: (n,) by channel: derivative of a channel by the pattern angle, per rad.
-    bryan_factor: of the nominal device.
     kept: last products of a channel, with what they were computed for.
     """
 
@@ -77,10 +76,14 @@ class LinearTest:
     sensitivities: Mapping[Effect, Mapping[str, Array]]
     where: Coordinates
     slopes: Mapping[str, Array]
-    bryan_factor: float
     kept: dict[str, tuple[Hashable, WhitenedTerms]] = field(
         default_factory=dict, init=False, compare=False, repr=False
     )
+
+    @property
+    def bryan_factor(self) -> float:
+        """Angular gain of the nominal device."""
+        return self.where.nominal.bryan_factor
 
     def observe(self, test: ObservedTest) -> "LinearTest":
         """A copy of this linear model for the test with more observed of it."""

@@ -37,13 +37,11 @@ def linearize_test(
         for name in CHANNELS:
             residual[name] = residual[name] + own[name] @ away
     where = compute_coordinates(test, simulated, nominal)
-    by_angle, factor = simulation.differentiate_by_angle(device, test), nominal.bryan_factor
-    turned = factor * (test.log.gyro_angle - simulated["gyro_angle"])
+    by_angle = simulation.differentiate_by_angle(device, test)
+    turned = nominal.bryan_factor * (test.log.gyro_angle - simulated["gyro_angle"])
     for name in CHANNELS[1:]:
         residual[name] = residual[name] - by_angle.curvatures[name] * turned**2 / 2
-    return LinearTest(
-        test, device, simulated, residual, sensitivities, where, by_angle.slopes, factor
-    )
+    return LinearTest(test, device, simulated, residual, sensitivities, where, by_angle.slopes)
 
 
 def compute_sensitivities(

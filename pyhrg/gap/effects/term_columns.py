@@ -5,6 +5,7 @@ the pick-off shows, and a force is as wrong as the drive (docs/methods/effects.m
 """
 
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 
 import numpy as np
 
@@ -52,9 +53,8 @@ def generate_terms(where: Coordinates, channel: str) -> Iterator[PlacedTerm]:
             yield _make_term(channel, coordinate, function, harmonic), block, _show
     if channel == "amplitude":
         yield from _generate_free_decay(where)
-        yield from _generate_misread_decay(where)
-    if channel in FORCES:
-        yield from _generate_misread_amplitude(where, channel)
+    if channel in ("amplitude", *FORCES):
+        yield from _generate_misread_amplitudes(where, channel)
     if channel in ("gyro_angle", "amplitude_force", "quadrature_force"):
         yield from _generate_drive_gains(where, channel)
 
@@ -91,6 +91,11 @@ def _average(block: Array) -> Array:
     return np.asarray((block + np.vstack([block[:1], block[:-1]])) / 2)
 
 
+def _integrate(where: Coordinates, rate: Array) -> Array:
+    """(n, b) integral of rates over the rows."""
+    return np.asarray(np.cumsum(rate, axis=0) * where.test.log.interval)
+
+
 def _misread(where: Coordinates, block: Array) -> Array:
     """(n, 2) relative error of the amplitude that a linear error of the pick-offs makes beside an
     error of the angle (Eq. 5d)."""
@@ -103,8 +108,7 @@ def _generate_angle_terms(where: Coordinates) -> Iterator[PlacedTerm]:
     points beside the pattern by an angle, which is a bias in proportion to the drive's growth rate;
     and an error of the pick-off, which is both of these."""
 
-    def integrate(rate: Array) -> Array:
-        return np.asarray(np.cumsum(rate, axis=0) * where.test.log.interval)
+    integrate = partial(_integrate, where)
 
     def count_from_start(block: Array) -> Array:
         return block - make_harmonic(np.zeros(1))
@@ -143,18 +147,19 @@ def _generate_anisotropy_bias(where: Coordinates) -> Iterator[PlacedTerm]:
     """The bias that an anisotropy of damping makes (Eq. 5e)."""
 
     def respond(block: Array) -> Array:
-        rate = _turn(block) / (2 * where.nominal.bryan_factor)
-        return np.asarray(np.cumsum(rate, axis=0) * where.test.log.interval)
+        return _integrate(where, _turn(block) / (2 * where.nominal.bryan_factor))
 
     for coordinate, function, harmonic, block in generate_anisotropies(where):
         yield _make_term("amplitude_force", coordinate, function, harmonic), block, respond
 
 
-def _generate_misread_amplitude(where: Coordinates, channel: str) -> Iterator[PlacedTerm]:
-    """What linear errors of the pick-offs make of the loops' forces (Eq. 5d)."""
+def _generate_misread_amplitudes(where: Coordinates, channel: str) -> Iterator[PlacedTerm]:
+    """What linear errors of the pick-offs make of the loops' forces, and of the amplitude while the
+    drive is off and nothing holds what they read (Eq. 5d)."""
     log, gain = where.test.log, where.nominal.bryan_factor
     growth, force = where.growth_rate[:, None], where.quadrature_force[:, None]
-    commanded = log.virtual_rotation[:, None]
+    commanded, level = log.virtual_rotation[:, None], where.level[:, None]
+    last_driven = np.maximum.accumulate(np.where(log.drive_on > 0, np.arange(len(level)), 0))
 
     def drive(block: Array) -> Array:
         error = _misread(where, block)
@@ -165,11 +170,15 @@ def _generate_misread_amplitude(where: Coordinates, channel: str) -> Iterator[Pl
     def balance(block: Array) -> Array:
         return -force * _misread(where, block)
 
-    respond = drive if channel == "amplitude_force" else balance
+    def decay(block: Array) -> Array:
+        error = _misread(where, block)
+        return level * (error - error[last_driven])
+
+    responses = {"amplitude_force": drive, "quadrature_force": balance, "amplitude": decay}
     for m, coordinate, function, harmonic, block in _generate_electrode_errors(where):
         if m in LINEAR_HARMONICS:
             key = ("gyro_angle", coordinate, function, harmonic)
-            yield _make_term(*key, "pick-off"), block, respond
+            yield _make_term(*key, "pick-off"), block, responses[channel]
 
 
 def _generate_products(where: Coordinates) -> Functions:
@@ -179,23 +188,6 @@ def _generate_products(where: Coordinates) -> Functions:
     yield "rate", *where.multiply("rate", rate, "the temperature")
     for words in SPECIFIC_FORCES:
         yield "acceleration", *where.multiply(words, where.factors[words], "the temperature")
-
-
-def _generate_misread_decay(where: Coordinates) -> Iterator[PlacedTerm]:
-    """What linear errors of the pick-offs make of the amplitude while the drive is off, and nothing
-    holds what they read."""
-    is_driven = where.test.log.drive_on > 0
-    rows = np.arange(len(is_driven))
-    last = np.maximum.accumulate(np.where(is_driven, rows, 0))
-
-    def show(block: Array) -> Array:
-        error = _misread(where, block)
-        return where.level[:, None] * (error - error[last])
-
-    for m, coordinate, function, harmonic, block in _generate_electrode_errors(where):
-        if m in LINEAR_HARMONICS:
-            key = ("gyro_angle", coordinate, function, harmonic)
-            yield _make_term(*key, "pick-off"), block, show
 
 
 def _generate_electrode_errors(
@@ -225,7 +217,7 @@ def _generate_drive_gains(where: Coordinates, channel: str) -> Iterator[PlacedTe
 
     def weaken(gain: Array) -> Array:
         if channel == "gyro_angle":
-            return -np.cumsum(gain * log.virtual_rotation[:, None], axis=0) * log.interval
+            return -_integrate(where, gain * log.virtual_rotation[:, None])
         return np.asarray(-gain * getattr(where, force)[:, None])
 
     for m in ELECTRODE_HARMONICS:

@@ -179,7 +179,7 @@ def _linearize(
     where = compute_coordinates(test, vars(test.log), device)
     slopes = simulation.differentiate_by_angle(device, test).slopes
     answers = {name: getattr(test.log, name) for name in CHANNELS}
-    return LinearTest(test, device, answers, response, columns, where, slopes, device.bryan_factor)
+    return LinearTest(test, device, answers, response, columns, where, slopes)
 
 
 def _information(tests: Design, groups: Sequence[Group], unit: Design) -> Array:

@@ -1,5 +1,6 @@
-"""Steps in which a table's encoder shows its angle: what they hide while it rests and turns
-(docs/methods/replay.md, Eqs. 12 and 13)."""
+"""The step of readings that are whole multiples of one, and the steps in which a table's encoder
+shows its angle: what they hide while it rests and turns (docs/methods/replay.md, Eqs. 12 and 13).
+"""
 
 import math
 from collections.abc import Sequence
@@ -12,19 +13,23 @@ from pyhrg.common.caches.compiled import compile_loop
 from pyhrg.common.units import ARCSEC
 from pyhrg.records import Log
 
+SAMPLES = 200
+"""Number of values that are compared with each other. Chosen: they have 20 000 pairs."""
+MAX_OFF_LATTICE = 0.02
+"""Share of neighbouring values that may differ by more than rounding and by less than the smallest
+step; with more of them the values are on no lattice. Chosen: a glitch or a gap moves some
+readings."""
+MIN_PHASOR = 0.98
+"""Least length of the mean phasor (docs/methods/evidence.md, Eq. 18) of values on a lattice.
+Chosen: phases that scatter by 0.2 rad have it."""
+MAX_COUNT = 20
+"""Largest value, in steps, that is used to fit the step. Chosen: an error of 1 % of the step is
+then 0.2 steps, and the count is still right."""
 MIN_STEP, MAX_STEP = 0.02 * ARCSEC, 30 * ARCSEC
 """Range of the steps that are looked for, rad. Chosen: a smaller one is below any gyro's noise."""
-ROUNDING = 2e-3 * ARCSEC
-"""Error of a reading by the digits of its file, rad. Chosen: six decimals of a degree are 3.6e-3
-arcsec apart."""
-MIN_READINGS = 30
-"""Number of second differences that are no zero, from which a step is found. Chosen."""
-MAX_COUNT = 20
-"""Largest second difference, in steps, to which the step is fitted. Chosen."""
-MAX_OFF_LATTICE = 0.1
-"""Distance from whole multiples, in steps, that most second differences may have. Chosen."""
-ON_LATTICE_SHARE = 0.98
-"""Share of them that may not be further. Chosen: readings beside the lattice are wrong ones."""
+ROUNDING = 4e-3 * ARCSEC
+"""Two second differences that differ by less are equal, rad. Chosen: more than the sixth decimal of
+a degree."""
 MIN_APART = 0.3
 """Median of the second differences of table less gyro, in steps, above which the gyro does not show
 the steps. Chosen: rounding has 0.5, a motion none."""
@@ -40,28 +45,41 @@ ERROR_PER_STEP = 1 / math.sqrt(12)
 """Standard deviation of an even rounding error, in steps."""
 
 
+def find_lattice_step(
+    values: Array, smallest: float, largest: float, rounding: float
+) -> tuple[float, float] | None:
+    """Step of (n,) values and its standard deviation, between the smallest and the largest that
+    count; None where the values are on no lattice. Values that differ by less than `rounding` are
+    equal."""
+    sample = np.sort(values[:: max(1, len(values) // SAMPLES)])
+    gaps = np.diff(sample)
+    steps = gaps[gaps >= smallest]
+    if len(sample) < SAMPLES / 2 or not len(steps):
+        return None
+    if np.mean((gaps > rounding) & (gaps < smallest)) > MAX_OFF_LATTICE:
+        return None
+    small = sample[np.abs(sample) < MAX_COUNT * steps.min()]
+    counts = np.round(small / steps.min())
+    power = float(counts @ counts)
+    step = float(small @ counts) / power if power else 0.0
+    if not smallest <= step <= largest:
+        return None
+    if abs(np.exp(2j * math.pi * values / step).mean()) < MIN_PHASOR:
+        return None
+    scatter = float(np.std(small - step * counts))
+    return step, max(scatter, rounding) / math.sqrt(power)
+
+
 def find_table_step(logs: Sequence[Log]) -> float:
     """The step of which second differences of the table's angle are whole multiples in all logs,
     rad, while those of the gyro's angle are not; 0 where there is none, or where the table turns
     too little to say."""
     tables = np.concatenate([np.empty(0), *(np.diff(log.table_angle, 2) for log in logs)])
     gyros = np.concatenate([np.empty(0), *(np.diff(log.gyro_angle, 2) for log in logs)])
-    sizes = np.abs(tables)
-    is_small = np.isfinite(gyros) & (sizes > 2 * ROUNDING) & (sizes < MAX_COUNT * MAX_STEP)
-    small, apart = sizes[is_small], np.abs(tables - gyros)[is_small]
-    if len(small) < MIN_READINGS:
-        return 0.0
-    step = float(np.quantile(small, 0.02))
-    for reach in (2, MAX_COUNT):
-        near = small[small < (reach + 0.5) * step]
-        counts = np.round(near / step)
-        step = float(near @ counts / (counts @ counts)) if counts.any() else 0.0
-    if not MIN_STEP <= step <= MAX_STEP or np.median(apart) < MIN_APART * step:
-        return 0.0
-    near = small[small < MAX_COUNT * step]
-    distances = np.abs(near / step - np.round(near / step))
-    is_on_lattice = distances < MAX_OFF_LATTICE + 2 * ROUNDING / step
-    return step if np.mean(is_on_lattice) >= ON_LATTICE_SHARE else 0.0
+    turns = np.isfinite(gyros) & (np.abs(tables) > ROUNDING)
+    found = find_lattice_step(tables[turns], MIN_STEP, MAX_STEP, ROUNDING)
+    apart = np.abs(tables - gyros)[turns]
+    return found[0] if found and np.median(apart) >= MIN_APART * found[0] else 0.0
 
 
 def find_rests(table_angle: Array, step: float) -> list[slice]:

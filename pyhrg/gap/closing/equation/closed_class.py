@@ -123,11 +123,7 @@ def _list_uses(terms: Sequence[Term], added: Sequence[str]) -> list[str]:
     """Names of all coordinates' variables that the terms need, in the order of the equations."""
     coefficients = [c for t in terms for c in list_written(t)]
     used = {name for c in coefficients for name in c.basis.uses}
-    used |= {other for name in used & NEEDED.keys() for other in NEEDED[name]}
-    if "freeDamping" in added:
-        used.add("freeDecay")
-    if "addedMisreading" in added:
-        used |= {"misreading", "misreadingSlope", "freeMisreading"}
+    used |= {other for name in {*used, *added} & NEEDED.keys() for other in NEEDED[name]}
     if used & SAMPLED.keys():
         used.add("started")
     return [name for name in (*COORDINATES, "tableAngle", "amplitudeExcess", *SAMPLED)

@@ -30,6 +30,7 @@ class Acting:
     stem: begin of the parameters' names.
     type: Modelica type of the parameters.
     unit: suffix of the parameters' names, empty for a ratio; factor: SI per unit.
+    responses: what the term adds to each variable of the class.
     """
 
     place: Location

@@ -87,5 +87,10 @@ SAMPLED = {
     "started": ("1 from the first sample on", "1"),
 }  # fmt: skip
 """Meaning and equation, every 10 ms, of variables with a memory; they are steady at power-on."""
-NEEDED = {"warming": ("caseWarmth", "slowWarmth"), "tableDirection": ("tableAngle", "tablePlay")}
-"""Other variables that such a variable needs."""
+NEEDED = {
+    "warming": ("caseWarmth", "slowWarmth"),
+    "tableDirection": ("tableAngle", "tablePlay"),
+    "freeDamping": ("freeDecay",),
+    "addedMisreading": ("misreading", "misreadingSlope", "freeMisreading"),
+}
+"""Other variables that a variable needs."""

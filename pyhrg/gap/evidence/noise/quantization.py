@@ -12,21 +12,13 @@ from pyhrg.gap.effects.catalogue import NOISE_EFFECTS, NOISES, NoiseEffect
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.reading_noise import REST_RATE
+from pyhrg.gap.replay.table_steps import find_lattice_step
 
 QUANTIZATION = NOISE_EFFECTS["angle_quantisation"]
 MIN_STEP, MAX_STEP = 0.01 * ARCSEC, 10 * ARCSEC
 """Range of quantization steps that are looked for, rad. Chosen."""
-SAMPLES = 200
-"""Number of second differences that are compared with each other. Chosen."""
 ROUNDING_ERROR = 1e-3 * MIN_STEP
 """Two second differences that differ by less are equal, rad. Chosen."""
-MAX_OFF_LATTICE = 0.02
-"""Share of neighbouring second differences that may differ by more than rounding and by less than
-the smallest step; with more of them the angles are on no lattice. Chosen."""
-MIN_PHASOR = 0.98
-"""Least length of the mean phasor (Eq. (18)) of angles on a lattice. Chosen."""
-MAX_COUNT = 20
-"""Largest second difference, in steps, that is used to fit the step. Chosen."""
 STEP_TOLERANCE = 0.05
 """A stated step that differs from the estimated one by less than this share is no gap. Chosen."""
 
@@ -61,21 +53,5 @@ def find_quantization_step(tests: Sequence[ObservedTest]) -> tuple[float, float]
         if np.abs(t.inputs.table.rates).max() < REST_RATE and not np.ptp(t.log.virtual_rotation)
     ]
     differences = np.concatenate([np.empty(0), *parts])
-    differences = differences[np.isfinite(differences)]
-    sample = np.sort(differences[:: max(1, len(differences) // SAMPLES)])
-    gaps = np.diff(sample)
-    steps = gaps[gaps >= MIN_STEP]
-    if len(sample) < SAMPLES / 2 or not len(steps):
-        return None
-    if np.mean((gaps > ROUNDING_ERROR) & (gaps < MIN_STEP)) > MAX_OFF_LATTICE:
-        return None
-    small = sample[np.abs(sample) < MAX_COUNT * steps.min()]
-    counts = np.round(small / steps.min())
-    power = float(counts @ counts)
-    step = float(small @ counts) / power if power else 0.0
-    if not MIN_STEP <= step <= MAX_STEP:
-        return None
-    if abs(np.exp(2j * math.pi * differences / step).mean()) < MIN_PHASOR:
-        return None
-    scatter = float(np.std(small - step * counts))
-    return step, max(scatter, ROUNDING_ERROR) / math.sqrt(power)
+    known = differences[np.isfinite(differences)]
+    return find_lattice_step(known, MIN_STEP, MAX_STEP, ROUNDING_ERROR)

@@ -162,10 +162,8 @@ def test_a_free_pattern_shows_what_its_pickoffs_misread(simulation: Simulation) 
     device = NOMINAL.without_noise()
     observed = observe_test(Test("test", "ring_down", "fit", log), device)
     where = compute_coordinates(observed, simulation.simulate(device, observed), device)
-    effect, function = (
-        EFFECTS["g_sensitive_gain"],
-        "pick-off: harmonic 4 of the pattern angle, times acceleration x",
-    )
+    effect = EFFECTS["g_sensitive_gain"]
+    function = "pick-off: harmonic 4 of the pattern angle, times acceleration x"
     response = compute_sensitivities(simulation, device, observed, [effect])[effect]
     by_output = (
         device.bryan_factor

@@ -48,7 +48,7 @@ def part_of(angle: Array, seed: int) -> LinearTest:
     }
     where = compute_coordinates(test, vars(test.log), BELIEVED)
     left = {**residual, "gyro_angle": angle}
-    return LinearTest(test, BELIEVED, nothing, left, sensitivities, where, nothing, 0.277)
+    return LinearTest(test, BELIEVED, nothing, left, sensitivities, where, nothing)
 
 
 def parts_of(noise: NoiseModel, seed: int, added: Array) -> list[LinearTest]:

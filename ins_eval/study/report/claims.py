@@ -229,30 +229,30 @@ def list_conditions(data: StudyData) -> list[ConditionResult]:
 
 
 def describe_claim(judged: JudgedClaim) -> str:
-    """A claim with its verdict; below it a line for each figure, by class."""
-    kinds = f"{len(judged.classes)} class{'es' if len(judged.classes) > 1 else ''}"
-    lines = [
-        f"({judged.claim.letter}) {judged.claim.statement}: {judged.verdict.upper()} "
-        f"(n = {judged.n} triads, {kinds})."
-    ]
-    scores = [*judged.overall, *judged.by_class, *judged.beside]
-    for kind in dict.fromkeys((s.score, s.predictor) for s in scores):
-        here = [s for s in scores if (s.score, s.predictor) == kind]
-        words, asked = name_requirement(judged.claim, here[0]), here[0].asked
-        head = f"{words}, required {asked}" if asked else f"beside it: {words}"
-        figures = (
-            f"{s.mission_class} {format_score(s)} {'' if s.mission_class == ALL else s.verdict}"
-            for s in here
-        )
-        lines.append(f"    {head}: {'; '.join(each.rstrip() for each in figures)}")
+    """A claim with its verdict; below it a line for each requirement and class."""
+    claim = judged.claim
+    lines = [f"({claim.letter}) {claim.statement}: {judged.verdict.upper()}"]
+    wide = max(len(name) for name in judged.classes)
+    last = None
+    for score in judged.by_class:
+        requirement = f"{name_requirement(claim, score)}, required {score.asked}:"
+        if requirement != last:
+            lines.append(f"    {requirement}")
+            last = requirement
+        name = score.mission_class
+        lines.append(f"        {name:<{wide}}  {format_score(score)}: {score.verdict}")
     return "\n".join(lines)
 
 
 def describe_conditions(data: StudyData) -> list[str]:
-    """Claim (d) in words: a line for each condition, and below it one for each verdict."""
+    """The verdict of each claim in each condition, a line for each condition."""
+    judged = judge_conditions(data)
+    names = judged[0].classes if judged else []
+    wide = max(map(len, names), default=0)
     return [
-        "\n    ".join([f"{each.name} ({each.n} triads, linear flights)", *each.lines])
-        for each in list_conditions(data)
+        f"{name:<{wide}}  "
+        + ", ".join(f"({each.claim.letter}) {each.judge_class(name)}" for each in judged)
+        for name in names
     ]
 
 

@@ -26,6 +26,7 @@ from ins_eval.study.tables.columns import (
 )
 from ins_eval.study.tables.score import (
     AGREEMENT,
+    ALL,
     CLASS_CONSTANT,
     MEDIAN_RATIO,
     RANGE,
@@ -146,26 +147,24 @@ def summarize(data: StudyData) -> str:
 
 
 def state_verdict(data: StudyData) -> str:
-    """Each claim with its verdict, interval and number of triads; then where they fail, and how
-    far linear and co-simulated flights differ without noise."""
-    calibrations = data.calibrations
+    """Each claim with its verdict and what decides it; its verdict in other conditions; how far
+    linear and co-simulated flights differ without noise."""
     lines = []
-    for calibration in calibrations:
-        if len(calibrations) > 1:
+    for calibration in data.calibrations:
+        if len(data.calibrations) > 1:
             lines.append(f"{name_calibration(calibration).capitalize()}:")
         lines += [describe_claim(each) for each in judge_claims(data, calibration)]
-        for key, flights in ((AGREEMENT, "at 1 kHz"), (STEADY_AGREEMENT, "with steady loops")):
-            scores = data.select(key, calibration=calibration)
-            lines += [
-                f"Without noise the linear model differs from the co-simulation {flights} by "
-                f"{_format_difference(s)}."
-                for s in scores
-            ]
-    conditions = describe_conditions(data)
-    if conditions:
+    if conditions := describe_conditions(data):
         lines += [
-            "(d) The claims in other conditions:",
-            *(f"  {line}" for line in conditions),
+            "(d) The claims in other conditions, by the linear model:",
+            *(f"    {line}" for line in conditions),
+        ]
+    for key, flights in ((AGREEMENT, "at 1 kHz"), (STEADY_AGREEMENT, "with steady loops")):
+        scores = [s for s in data.select(key) if s.mission_class == ALL]
+        lines += [
+            f"Without noise the linear model differs from the co-simulation {flights} by "
+            f"{_format_difference(s)}."
+            for s in scores
         ]
     return "\n".join(lines)
 
@@ -201,9 +200,10 @@ def _describe(outcome: Outcome, data: StudyData) -> Iterator[str]:
 
 
 def _format_difference(score: Score) -> str:
-    """A share in percent with its group and verdict; of few triads the range and no verdict."""
+    """A share in percent with its calibration and verdict; of few triads the range and no
+    verdict."""
     numbers = (100 * score.value, 100 * score.low, 100 * score.high)
-    group = f"{score.mission_class}, {score.n} triads"
+    group = f"{name_calibration(score.calibration)}, {score.n} triads"
     if score.confidence == RANGE:
         value, low, high = format_estimate(*numbers)
         return f"{value} % ({group}; the single ones by {low} to {high} %; no interval, no verdict)"

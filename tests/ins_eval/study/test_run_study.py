@@ -51,8 +51,8 @@ def test_verdict_is_of_each_calibration(result: StudyResult) -> None:
     assert {"Mean calibrated:", "Whole map calibrated:"} < set(lines)
     for letter in "abc":
         assert sum(line.startswith(f"({letter}) ") for line in lines) == 2
-    place = lines.index("  self-calibrated (12 triads, linear flights)")
-    assert lines[place + 1].startswith("    fails: (b) ")
+    (line,) = (each for each in lines if each.startswith("    self-calibrated "))
+    assert "(b) fails" in line
     assert result.summary.endswith(result.verdict)
     assert result.summary.startswith("The gyro of the paper's Table 2, its mean over the")
 

@@ -57,9 +57,10 @@ def test_where_a_claim_fails_is_said_with_its_figure() -> None:
     overall = replace(R2, mission_class=ALL, value=0.95, low=0.94, high=0.96, verdict="fails")
     (judged,) = judge_claims(study(overall, R2, CAR), "map")
     assert describe_claim(judged) == (
-        "(c) The fitted map and the trajectory predict each flight: HOLDS IN PART (n = 40 triads, "
-        "2 classes).\n    R2 of single flights, required >= 0.97: all 0.950 (0.940 to 0.960); "
-        "car 0.900 (0.850 to 0.940) fails; ship 0.980 (0.975 to 0.990) holds"
+        "(c) The fitted map and the trajectory predict each flight: HOLDS IN PART\n"
+        "    R2 of single flights, required >= 0.97:\n"
+        "        car   0.900 (0.850 to 0.940): fails\n"
+        "        ship  0.980 (0.975 to 0.990): holds"
     )
     assert "<b>0.900</b><br><small>0.850 to 0.940" in render_claims(study(overall, R2, CAR))
     assert state_claims(study(R2, CAR)) == (
@@ -67,15 +68,14 @@ def test_where_a_claim_fails_is_said_with_its_figure() -> None:
     )
 
 
-def test_ceiling_stands_beside_the_claim() -> None:
+def test_figures_without_a_requirement_decide_nothing() -> None:
     ceiling = replace(R2, predictor="true_parameters", value=0.92, low=0.88, high=0.95)
     beside = replace(ceiling, mission_class="car", asked="", verdict="")
-    (judged,) = judge_claims(study(R2, CAR, beside), "map")
+    data = study(R2, CAR, beside)
+    (judged,) = judge_claims(data, "map")
     assert judged.verdict == "holds in part"
-    assert describe_claim(judged).endswith(
-        "\n    beside it: R2 of the true maps, mounting unknown: the ceiling: car 0.920 "
-        "(0.880 to 0.950)"
-    )
+    assert "0.920" not in describe_claim(judged)
+    assert "<b>0.920</b>" in render_claims(data)
 
 
 def test_controls_and_other_calibrations_decide_nothing() -> None:
@@ -97,10 +97,8 @@ def test_conditions_name_the_claims_that_fail() -> None:
     assert (level.figures["fails"], level.n) == ([], 12)
     assert calibrated.figures["fails"][0].startswith("(b) flown / predicted, by the class constant")
     assert level.figures["undecided"][0].startswith("(c) R2 of single flights")
-    first, second = describe_conditions(result)
-    title, *lines = first.split("\n    ")
-    assert title == "straight & level (12 triads, linear flights)"
-    assert [line.split(":")[0] for line in lines] == ["fails", "undecided", "holds"]
-    assert lines[0] == "fails: no figure"
-    assert "fails: (b) flown / predicted" in second
+    assert describe_conditions(result) == [
+        "self-calibrated   (a) holds, (b) fails, (c) undecided",
+        "straight & level  (a) holds, (b) holds, (c) undecided",
+    ]
     assert describe_conditions(synthetic(4, conditions=False)) == []

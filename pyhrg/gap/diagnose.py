@@ -242,6 +242,7 @@ def _summarize(
         list_fault_causes(faults),
         features,
         left.exceeds(bound),
+        gap.is_wider_held_out,
     )
     stated = build_angle_noise(prepared.nominal)
     stated_noise = replace(attribution.channel_noise, angle=stated)

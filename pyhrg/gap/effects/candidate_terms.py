@@ -63,8 +63,10 @@ class CandidateTerm:
 
     @property
     def is_encoder_error(self) -> bool:
-        """Whether it is an angle by which the table's encoder and the gyro differ."""
-        return self.coordinate == "table_angle" and self.function.startswith("angle: ")
+        """Whether it is an angle by which the table's encoder and the gyro differ: the encoder is
+        wrong, or the table between them twists under its load."""
+        is_of_bench = self.coordinate in ("table_angle", "acceleration")
+        return is_of_bench and self.function.startswith("angle: ")
 
     @property
     def fault(self) -> FaultKind | None:

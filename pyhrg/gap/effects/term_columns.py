@@ -81,6 +81,10 @@ def _show(block: Array) -> Array:
     return block
 
 
+def _count_from_start(block: Array) -> Array:
+    return np.asarray(block - block[:1])
+
+
 def _turn(block: Array) -> Array:
     """(n, 2) cosine and sine of a harmonic, a quarter of its period ahead."""
     return np.column_stack([-block[:, 1], block[:, 0]])
@@ -104,13 +108,14 @@ def _misread(where: Coordinates, block: Array) -> Array:
 
 def _generate_angle_terms(where: Coordinates) -> Iterator[PlacedTerm]:
     """Terms of the output angle alone: a bias, whose integral appears; an error of the angle, from
-    the table's start on where it is the encoder's, which may also have a backlash; a force that
-    points beside the pattern by an angle, which is a bias in proportion to the drive's growth rate;
-    and an error of the pick-off, which is both of these."""
+    power-on on where it is the bench's: of the encoder, which may also have a backlash, or of a
+    table that twists under its load; a force that points beside the pattern by an angle, which is a
+    bias in proportion to the drive's growth rate; and an error of the pick-off, which is both of
+    these."""
 
     integrate = partial(_integrate, where)
 
-    def count_from_start(block: Array) -> Array:
+    def count_table_from_start(block: Array) -> Array:
         return block - make_harmonic(np.zeros(1))
 
     for coordinate, function, harmonic, block in where.functions:
@@ -118,7 +123,9 @@ def _generate_angle_terms(where: Coordinates) -> Iterator[PlacedTerm]:
         yield _make_term(*key, "bias"), block, integrate
         if harmonic:
             is_table = coordinate == "table_angle"
-            yield _make_term(*key, "angle"), block, count_from_start if is_table else _show
+            yield _make_term(*key, "angle"), block, count_table_from_start if is_table else _show
+        if function in SPECIFIC_FORCES:
+            yield _make_term(*key, "angle"), block, _count_from_start
     backlash = _make_term("gyro_angle", "table_angle", LAST_MOTION, place="angle")
     yield backlash, where.table_direction, _show
     for coordinate, function, harmonic, block in _generate_products(where):

@@ -50,11 +50,12 @@ def reach_verdict(
     faults: Sequence[Cause],
     features: Sequence[ResidualFeature],
     is_material: bool,
+    is_contradicted: bool = False,
 ) -> tuple[Verdict, tuple[Cause, ...], float]:
     """Verdict, causes among the effects of the catalogue and the noises, then the faults of bench
     and record, and the probability that something outside the catalogue takes part (Eq. (1)), which
     counts for the verdict only if it is material. Features are what the residuals may show besides
-    steady noise."""
+    steady noise. Held-out tests may contradict the causes."""
     causes = [
         *_effect_causes(attribution, effects),
         *_find_known_causes(attribution, effects),
@@ -68,7 +69,8 @@ def reach_verdict(
     elif not causes:
         verdict = "no_gap"
     else:
-        verdict = "ambiguous" if any(map(_is_confounded, causes)) else "explained"
+        is_open = is_contradicted or any(map(_is_confounded, causes))
+        verdict = "ambiguous" if is_open else "explained"
     return verdict, tuple(causes), unknown
 
 

@@ -166,7 +166,6 @@ NEAREST = {
     ("bias", "time"): (_CHARGE, _OVER_TEMPERATURE),
     ("bias", "table_angle"): (_MISALIGNMENT,),
     ("readout", "wave_angle"): (_CUBIC, _PICKOFF_GAIN, _PICKOFF_AXES),
-    ("readout", "acceleration"): (_FORCE,),
     ("pickoff", "wave_angle"): (_PICKOFF_GAIN, _PICKOFF_AXES, _OFFSET, _CUBIC),
     ("pickoff", "temperature"): (_OVER_TEMPERATURE,),
     ("pickoff", "acceleration"): (_FORCE,),
@@ -182,6 +181,7 @@ NEAREST = {
     ("stiffness", "time"): (_CHARGE,),
     ("stiffness", "acceleration"): (_FORCE,),
     ("bench", "table_angle"): (_MISALIGNMENT,),
+    ("bench", "acceleration"): (_FORCE,),
 }
 """Nearest mechanisms by place and coordinate, the nearest first."""
 

@@ -1,4 +1,4 @@
-"""A table whose axis is tilted, and a chamber with a gradient: what is named, and for what else."""
+"""A table whose axis is tilted, or which twists, and a chamber with a gradient: what is named."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -11,12 +11,13 @@ from pyhrg.bench.programme import Course
 from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
-from pyhrg.common.units import DEG
+from pyhrg.common.units import ARCSEC, DEG, STANDARD_GRAVITY
 from pyhrg.gap.diagnose import diagnose
 from pyhrg.gap.findings.diagnosis import Diagnosis
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records import Log
-from tests.pyhrg.gap.closing.equation.planted import record_planted
+from pyhrg.records.campaign import Campaign
+from tests.pyhrg.gap.closing.equation.planted import record_planted, shift_angle
 from tests.pyhrg.gap.soundness.conftest import NOMINAL
 
 LATITUDE = NOMINAL.site.latitude
@@ -78,6 +79,48 @@ def test_a_tilt_to_the_north_is_a_latitude(simulation: Simulation) -> None:
 
 def test_a_tilt_within_tolerance_is_no_gap(simulation: Simulation) -> None:
     assert diagnose_tilt(simulation, 0.005 * DEG, -0.005 * DEG).verdict == "no_gap"
+
+
+def record_tumbles(simulation: Simulation, disturbance: Disturbance, seed: int) -> Campaign:
+    """A tumble, and another at another pattern angle, which is held out."""
+    tumble = Bench(simulation.sampled, NOMINAL).programme()
+    for attitude in ((1.0, 0.0), (-1.0, 0.0), *((0.0, a * np.pi / 2) for a in range(4))):
+        tumble.attitude(*attitude).rest(100)
+    kinds = (("tumble", "tumble"), ("again", "manoeuvre"))
+    power_ons = [PowerOn(name, kind, tumble) for name, kind in kinds]
+    return record_planted(simulation.sampled, disturbance, seed, power_ons)
+
+
+def test_a_table_that_twists_is_an_error_of_the_bench(simulation: Simulation) -> None:
+    """Between encoder and gyro, by an arcsecond per g along x."""
+
+    def twist(course: Course, start: float) -> Array:
+        angle = ARCSEC / STANDARD_GRAVITY * course.each("acceleration_x")
+        return np.diff(angle.ravel(), prepend=angle[0, 0]).reshape(angle.shape) / course.step
+
+    planted = record_tumbles(simulation, Disturbance(rate=twist), 1)
+    found = diagnose(planted, simulation=simulation).diagnosis
+    (term,) = found.terms
+    assert (found.causes, term.place, term.coordinates) == ((), "bench", ("acceleration",))
+    value = term.parameters["readout_acceleration_x_arcsec_per_m_s2"]
+    assert value == pytest.approx(1 / STANDARD_GRAVITY, rel=0.05)
+    figure = found.gap.holdout_angle_arcsec
+    assert figure
+    assert figure.after < figure.floor_95[1] < figure.before
+
+
+def test_causes_that_held_out_tests_contradict_are_open(simulation: Simulation) -> None:
+    """A read-out that follows the force, and not the pattern, looks like a gain at one angle."""
+
+    def misread(log: Log) -> Log:
+        force = log.acceleration_x / STANDARD_GRAVITY
+        return shift_angle(log, ARCSEC * (force - force[0]))
+
+    planted = record_tumbles(simulation, Disturbance(shown=misread), 2)
+    found = diagnose(planted, simulation=simulation).diagnosis
+    assert [cause.effect for cause in found.causes] == ["g_sensitive_gain"]
+    assert found.gap.is_wider_held_out
+    assert found.verdict == "ambiguous"
 
 
 def read_room(log: Log) -> Array:

@@ -56,6 +56,7 @@ COORDINATE_OF = {
     "amplitudeExcess": "amplitude",
     "hours": "time",
     **{coordinate.name: "acceleration" for coordinate in FORCES.values()},
+    **{f"firstForce{axis}": "acceleration" for axis in "XYZ"},
     **{f"play{width}": "temperature" for width in HYSTERESIS_WIDTHS},
     **{f"lagging{lag}": "temperature" for lag in THERMAL_LAGS},
 }
@@ -89,7 +90,11 @@ def express_term(term: CandidateTerm) -> tuple[Basis, ...]:
     if term.function.startswith("pattern: "):
         return ()
     bases = _express(re.sub("^[a-z -]+: ", "", term.function))
-    return _count_from_start(*bases) if term.is_encoder_error and len(bases) > 1 else bases
+    if not term.is_encoder_error:
+        return bases
+    if term.coordinate == "acceleration":
+        return tuple(_count_from_start(basis) for basis in bases)
+    return _count_table_from_start(*bases) if len(bases) > 1 else bases
 
 
 def _express(function: str) -> tuple[Basis, ...]:
@@ -107,7 +112,19 @@ def express_second(term: CandidateTerm) -> Basis:
     return basis
 
 
-def _count_from_start(cosine: Basis, sine: Basis) -> tuple[Basis, ...]:
+def _count_from_start(basis: Basis) -> Basis:
+    """A function of one specific force less its value at power-on."""
+    (force,) = basis.uses
+    first = f"first{force[0].upper()}{force[1:]}"
+    return replace(
+        basis,
+        text=f"({basis.text} - {basis.text.replace(force, first)})",
+        modelica=f"({basis.modelica} - {basis.modelica.replace(force, first)})",
+        uses=(force, first),
+    )
+
+
+def _count_table_from_start(cosine: Basis, sine: Basis) -> tuple[Basis, ...]:
     """Cosine and sine of the table angle less their values at its start, which is 0."""
     text, modelica = f"({cosine.text} - 1)", f"({cosine.modelica} - 1)"
     return replace(cosine, text=text, modelica=modelica), sine

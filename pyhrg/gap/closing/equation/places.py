@@ -99,9 +99,9 @@ MISREAD_AMPLITUDE = (
 
 def find_acting(term: CandidateTerm) -> Acting:
     """How a term acts: by the word before its function, or by its channel. An error of the angle
-    that follows the turntable belongs to the bench; damping that follows the amplitude also acts
-    while the drive is off, and an anisotropy of damping turns the pattern (docs/methods/effects.md,
-    Eqs. 5d and 5e)."""
+    that follows the turntable or its load belongs to the bench; damping that follows the amplitude
+    also acts while the drive is off, and an anisotropy of damping turns the pattern
+    (docs/methods/effects.md, Eqs. 5d and 5e)."""
     prefix, colon, _ = term.function.partition(": ")
     acting = BY_PREFIX[prefix] if colon else BY_CHANNEL[term.channel]
     more: list[Response] = []
@@ -112,6 +112,6 @@ def find_acting(term: CandidateTerm) -> Acting:
         more.append(Response("addedRate", f"1/(2*{GAIN})", is_turned=True))
     if acting is DAMPING and term.coordinate == "amplitude":
         more.append(Response("freeDamping"))
-    if acting is READOUT and term.coordinate == "table_angle":
+    if term.is_encoder_error:
         acting = replace(acting, place="bench")
     return replace(acting, responses=(*acting.responses, *more)) if more else acting

@@ -71,6 +71,10 @@ SAMPLED = {
                          f"pre(lagging{lag}) + (caseWarmth - pre(lagging{lag}))"
                          f"*(1 - {math.exp(-0.01 / lag)!r}*pre(started))")
        for lag in THERMAL_LAGS},
+    **{f"firstForce{a}": (f"Specific force {a.lower()} at power-on, over 1 m/s2",
+                          f"pre(firstForce{a})"
+                          f" + (force{a} - pre(firstForce{a}))*(1 - pre(started))")
+       for a in "XYZ"},
     "tablePlay": (f"Table angle behind a play of {BACKLASH_WIDTH / ARCSEC:g} arcsec, over 1 rad",
                   f"tableAngle + pre(started)*(abs(pre(tablePlay) - tableAngle + {_HALF!r})"
                   f" - abs(pre(tablePlay) - tableAngle - {_HALF!r}))/2"),

@@ -38,6 +38,7 @@ def _evaluate(modelica: str, where: Coordinates) -> np.ndarray:
         "amplitudeExcess": where.amplitude,
         "hours": log.time / 3600,
         **{f"force{a}": getattr(log, f"acceleration_{a.lower()}") for a in "XYZ"},
+        **{f"firstForce{a}": getattr(log, f"acceleration_{a.lower()}")[0] for a in "XYZ"},
         **{f"play{w}": _follow_with_play(where.case, w) for w in HYSTERESIS_WIDTHS},
         **{f"lagging{lag}": follow_with_lag(where.case, log.interval, lag) for lag in (600, 3600)},
         **{name: getattr(np, name) for name in ("cos", "sin", "exp", "sqrt", "abs")},

@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 
 from pyhrg import records
+from pyhrg.common.arrays import Array
 from pyhrg.common.files import write_whole
 from pyhrg.common.progress import Progress, Show
 from pyhrg.common.units import ARCSEC, DEG
@@ -90,12 +91,14 @@ def predict(
         answers = replay_sampled(fmu, put_terms(identified, findings.terms), test.inputs)
     else:
         answers = (simulation or load_simulation(report)).simulate(identified, test)
-    predicted = answers["gyro_angle"]
+    return _tabulate(log, answers["gyro_angle"], notes)
+
+
+def _tabulate(log: Log, predicted: Array, notes: list[str]) -> pd.DataFrame:
     residual = (log.gyro_angle - predicted) / ARCSEC
-    columns = {"gyro_angle_deg": predicted / DEG, "residual_arcsec": residual}
-    table = pd.DataFrame({"time_s": log.time, **columns})
-    units = {"time_s": "s", "gyro_angle_deg": "deg", "residual_arcsec": "arcsec"}
-    table.attrs = {"units": units, "notes": notes}
+    columns = (log.time, predicted / DEG, residual)
+    table = pd.DataFrame(dict(zip(COLUMNS, columns, strict=True)))
+    table.attrs = {"units": dict(zip(COLUMNS, ("s", "deg", "arcsec"), strict=True)), "notes": notes}
     return table
 
 

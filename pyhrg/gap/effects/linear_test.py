@@ -16,9 +16,9 @@ from pyhrg.gap.effects.form import Form, build_form_columns, build_reading_colum
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.replay.observations import ObservedTest
-from pyhrg.gap.replay.replay import estimate_thermometer_noise
 from pyhrg.gap.replay.simulation import compute_carrier_terms
 from pyhrg.gap.replay.table_steps import shape_rounding_errors
+from pyhrg.gap.replay.thermometer import estimate_thermometer_noise
 from pyhrg.gap.soundness.origin import is_origin_set
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, compute_temperature_slopes
 from pyhrg.gap.whitening.smoothing import is_coarsely_quantized, smooth_readings
@@ -116,7 +116,8 @@ class LinearTest:
         if (rounding := shape_rounding_errors(table, self.test.encoder_step)).size:
             shapes["gyro_angle"] = np.column_stack([shapes["gyro_angle"], rounding])
         if slope := device.bias_per_temperature_rate:
-            noise = slope * estimate_thermometer_noise(device, self.test.inputs)
+            case = self.test.inputs.find_case_temperatures(device)
+            noise = slope * estimate_thermometer_noise(case)[1:]
             shapes["gyro_angle"] = np.column_stack([shapes["gyro_angle"], noise])
         return shapes
 

@@ -8,19 +8,17 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from scipy.signal import savgol_filter
 
 from pyhrg.bench.bench import LOOP_OUTPUTS, OUTPUTS_AT_END, compute_earth_rate, record_rows_together
 from pyhrg.bench.programme import HELD_INPUTS, compute_step_middles, interpolate_rows
-from pyhrg.bench.readings.first_order_lag import follow_with_lag
 from pyhrg.common.arrays import Array
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import WIDE, GyroFmu
-from pyhrg.gap.replay.instruments import estimate_toggling_step
 from pyhrg.gap.replay.soak import is_soaked
 from pyhrg.gap.replay.table_motion import TableMotion, estimate_table_motion
+from pyhrg.gap.replay.thermometer import correct_temperatures, estimate_toggling_step
 from pyhrg.records import COLUMNS, Log
 
 HELD_COLUMNS = tuple(name for name in HELD_INPUTS if name not in ("vibration", "bias_voltage"))
@@ -35,12 +33,6 @@ CLOCK_FIELDS = ("clock_latency", "clock_rate")
 """Fields of a device that state by how much later angles are read."""
 STEP_ROUNDING = 1e-9
 """Excess of a row over a whole number of steps, in steps, that is rounding. Chosen."""
-SLOPE_TIME = 10.0
-"""Time either way over which the slope of a thermometer's readings is taken, s, but at least a row.
-Chosen: a slope over less would be that of their noise."""
-NOISE_ROWS = 9
-"""Rows through which a parabola is laid to tell a thermometer's noise from the temperature. Chosen:
-odd; it keeps three quarters of the noise, and next to nothing of the corner of a ramp."""
 STEADY_RATIO = 2.0
 """An input whose spread is below this many of its instrument's noise is constant. Chosen."""
 
@@ -67,6 +59,10 @@ class ReplayInputs:
         """(n, steps) at the middles of equal steps of each row, rad."""
         at_begin = np.concatenate(([self.start_table_angle], self.log.table_angle[:-1]))[:, None]
         return at_begin + self.table.compute_turns(steps)
+
+    def find_case_temperatures(self, device: Device) -> Array:
+        """(n + 1,) at the rows' bounds, K, as a device's thermometer reads them."""
+        return correct_temperatures(device, self.temperatures, self.log.interval)
 
     def section(self, rows: slice, start_angle: float) -> "ReplayInputs":
         """The inputs of some rows, with power-on at their begin and the pattern at an angle,
@@ -173,7 +169,7 @@ def _replay_few(
         for device, inputs in runs:
             moving = _list_moving_inputs(fmu, device, inputs, steps)
             parameters = _list_parameters(fmu, device) | starts
-            case = float(correct_temperatures(device, inputs)[0])
+            case = float(inputs.find_case_temperatures(device)[0])
             parameters["caseTemperature"] = case
             if inputs.is_soaked:
                 parameters[START_TEMPERATURE] = case - device.reference_temperature
@@ -220,7 +216,7 @@ def _list_moving_inputs(
     angle = inputs.table_angle(steps)
     earth = compute_earth_rate(device, inputs.log.axis_up[:, None], angle)
     eccentric = device.encoder_eccentricity * np.cos(angle + device.encoder_eccentricity_phase)
-    temperatures = correct_temperatures(device, inputs)
+    temperatures = inputs.find_case_temperatures(device)
     moving = {
         "angularRate": inputs.table.compute_rates(steps) * (1 + eccentric) + earth,
         "caseTemperature": interpolate_rows(temperatures, compute_step_middles(steps)),
@@ -235,39 +231,6 @@ def _find_start_angle(device: Device, inputs: ReplayInputs) -> float:
     late = device.clock_latency + device.clock_rate * inputs.log.time
     turned = device.bryan_factor * float(np.mean(late * inputs.log.virtual_rotation))
     return inputs.start_angle - turned
-
-
-def correct_temperatures(device: Device, inputs: ReplayInputs) -> Array:
-    """(n + 1,) temperatures of the case at the rows' bounds, from the thermometer's readings, K.
-
-    A first-order lag of the thermometer behind the case is undone by the slope of its readings; a
-    negative one is that of the case behind the thermometer. Where it is short the slope serves too:
-    a lag from row to row would smooth the thermometer's noise as well."""
-    lag, interval = device.thermometer_lag, inputs.log.interval
-    readings = inputs.temperatures
-    if lag < -SLOPE_TIME:
-        readings = follow_with_lag(readings, interval, -lag)
-    else:
-        readings = readings + lag * _find_slopes(readings, interval)
-    reference = device.reference_temperature
-    change = readings - device.thermometer_offset - reference
-    return np.asarray(reference + change / (1 + device.thermometer_gain))
-
-
-def estimate_thermometer_noise(device: Device, inputs: ReplayInputs) -> Array:
-    """(n,) noise of these temperatures at the rows' ends, K: their departure from parabolas
-    through the nearest `NOISE_ROWS` (A. Savitzky, M. J. E. Golay, Anal. Chem. 36 (1964))."""
-    temperatures = correct_temperatures(device, inputs)
-    if len(temperatures) < NOISE_ROWS:
-        return np.zeros(len(temperatures) - 1)
-    return np.asarray(temperatures - savgol_filter(temperatures, NOISE_ROWS, 2))[1:]
-
-
-def _find_slopes(readings: Array, interval: float) -> Array:
-    """(n,) slopes of readings over `SLOPE_TIME` either way, K/s."""
-    rows, half = np.arange(len(readings)), max(1, round(SLOPE_TIME / interval))
-    low, high = np.maximum(rows - half, 0), np.minimum(rows + half, len(rows) - 1)
-    return np.asarray((readings[high] - readings[low]) / ((high - low) * interval))
 
 
 def list_read_out_fields(log: Log) -> tuple[str, ...]:

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from pyhrg.common.arrays import Array
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
-from pyhrg.gap.replay.instruments import estimate_reading_steps
 from pyhrg.gap.replay.observations import Mask, ObservedTest
 from pyhrg.gap.replay.replay import list_measured_temperatures
+from pyhrg.gap.replay.thermometer import estimate_reading_steps
 from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel
 
 OUTLIER_SIGMA = 5.0

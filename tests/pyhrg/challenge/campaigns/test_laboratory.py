@@ -9,7 +9,7 @@ from pyhrg.challenge.campaigns.laboratory import LEVELS, Laboratory, draw_labora
 from pyhrg.common.units import HZ
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import KNOWN
-from pyhrg.gap.replay.replay import correct_temperatures, prepare_inputs, read_change
+from pyhrg.gap.replay.replay import prepare_inputs, read_change
 from tests.pyhrg.records.made_up import made_up_log
 
 ROWS = 1500
@@ -23,7 +23,7 @@ def test_a_thermometer_lags_and_the_replay_undoes_it() -> None:
     read = lab.read(log, 298.15)
     assert read.temperature[800] - RAMP[800] == pytest.approx(0.3 - 40.0 * 0.02, rel=1e-3)
     device = Device(thermometer_lag=40.0, thermometer_offset=0.3)
-    case = correct_temperatures(device, prepare_inputs(read, device))[1:]
+    case = prepare_inputs(read, device).find_case_temperatures(device)[1:]
     away = np.abs(case - RAMP)[20:-20]
     assert away.max() < 0.1
     assert abs((case - RAMP)[20:-20].mean()) < 1e-3

@@ -8,12 +8,12 @@ from scipy.stats import norm
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
-from pyhrg.gap.replay.instruments import estimate_reading_steps, estimate_toggling_step
 from pyhrg.gap.replay.observations import CHANNELS, observe_test
-from pyhrg.gap.replay.replay import (
+from pyhrg.gap.replay.thermometer import (
     correct_temperatures,
+    estimate_reading_steps,
     estimate_thermometer_noise,
-    prepare_inputs,
+    estimate_toggling_step,
 )
 from pyhrg.gap.whitening.channel_noise import estimate_campaign_noise
 from pyhrg.records.campaign import Test
@@ -99,14 +99,8 @@ def test_noise_shakes_readings_from_step_to_step() -> None:
 
 def test_noise_of_the_readings_is_told_from_a_ramp() -> None:
     """It keeps three quarters of its variance; of the ramp's corners next to nothing stays."""
-    device = Device()
-
-    def estimate(noise: Array) -> Array:
-        log = replace(made_up_log(ROWS), temperature=TRUE + noise)
-        return estimate_thermometer_noise(device, prepare_inputs(log, device))
-
     white = NOISE * np.random.default_rng(3).normal(size=ROWS)
-    noisy, smooth = estimate(white), estimate(np.zeros(ROWS))
+    noisy, smooth = (estimate_thermometer_noise(TRUE + noise) for noise in (white, 0.0))
     assert noisy @ white / (white @ white) == pytest.approx(1 - 177 / 693, rel=0.05)
     assert np.std(smooth) < 0.1 * NOISE
 
@@ -123,9 +117,7 @@ def test_a_lag_of_the_readings_is_undone() -> None:
 
     true = 298.15 + 0.02 * (rise(500, 0) - rise(1500, 0))
     readings = 298.15 + 0.02 * (rise(500, lag) - rise(1500, lag))
-    log = replace(made_up_log(ROWS), temperature=readings)
-    device = Device(thermometer_lag=lag)
-    error = (correct_temperatures(device, prepare_inputs(log, device))[1:] - true)[:-20]
+    error = (correct_temperatures(Device(thermometer_lag=lag), readings, 1.0) - true)[:-20]
     is_bend = (np.abs(time - 500) < 15) | (np.abs(time - 1500) < 15)
     assert np.abs(readings - true).max() == pytest.approx(0.02 * lag, rel=0.01)
     assert np.abs(error[~is_bend[:-20]]).max() < 0.01

@@ -1,10 +1,13 @@
-"""The quantization step of a temperature log where it exceeds the thermometer's noise."""
+"""A thermometer's quantization step, its noise, and the case's temperature behind it."""
 
 from collections.abc import Mapping
 
 import numpy as np
+from scipy.signal import savgol_filter
 
+from pyhrg.bench.readings.first_order_lag import follow_with_lag
 from pyhrg.common.arrays import Array
+from pyhrg.device.device import Device
 
 MIN_REPEATED_SHARE = 0.3
 """Share of readings that repeat the one before, above which noise is finer than the step.
@@ -17,6 +20,12 @@ MIN_STEP, MAX_STEP = 1e-6, 2.0
 point. Chosen."""
 SINGLE_STEP_RATIO = 1.5
 """Changes up to this many times the smallest change are changes by one step. Chosen."""
+SLOPE_TIME = 10.0
+"""Time either way over which the slope of a thermometer's readings is taken, s, but at least a row.
+Chosen: a slope over less would be that of their noise."""
+NOISE_ROWS = 9
+"""Rows through which a parabola is laid to tell a thermometer's noise from the temperature. Chosen:
+odd; it keeps three quarters of the noise, and next to nothing of the corner of a ramp."""
 
 
 def estimate_reading_steps(logs: Mapping[str, Array]) -> dict[str, float]:
@@ -50,3 +59,34 @@ def _estimate_step(changes: Array) -> float:
     counts = sizes / step
     is_whole = np.all(np.abs(counts - np.round(counts)) < WHOLE_STEP_TOLERANCE)
     return step if step < MAX_STEP and is_whole else 0.0
+
+
+def correct_temperatures(device: Device, readings: Array, interval: float) -> Array:
+    """(n,) temperatures of the case from the thermometer's readings at this interval, s, K.
+
+    A first-order lag of the thermometer behind the case is undone by the slope of its readings; a
+    negative one is that of the case behind the thermometer. Where it is short the slope serves too:
+    a lag from row to row would smooth the thermometer's noise as well."""
+    lag = device.thermometer_lag
+    if lag < -SLOPE_TIME:
+        readings = follow_with_lag(readings, interval, -lag)
+    else:
+        readings = readings + lag * _find_slopes(readings, interval)
+    reference = device.reference_temperature
+    change = readings - device.thermometer_offset - reference
+    return np.asarray(reference + change / (1 + device.thermometer_gain))
+
+
+def estimate_thermometer_noise(temperatures: Array) -> Array:
+    """(n,) noise of temperatures, K: their departure from parabolas through the nearest
+    `NOISE_ROWS` (A. Savitzky, M. J. E. Golay, Anal. Chem. 36 (1964))."""
+    if len(temperatures) < NOISE_ROWS:
+        return np.zeros(len(temperatures))
+    return np.asarray(temperatures - savgol_filter(temperatures, NOISE_ROWS, 2))
+
+
+def _find_slopes(readings: Array, interval: float) -> Array:
+    """(n,) slopes of readings over `SLOPE_TIME` either way, K/s."""
+    rows, half = np.arange(len(readings)), max(1, round(SLOPE_TIME / interval))
+    low, high = np.maximum(rows - half, 0), np.minimum(rows + half, len(rows) - 1)
+    return np.asarray((readings[high] - readings[low]) / ((high - low) * interval))

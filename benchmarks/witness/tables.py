@@ -59,6 +59,7 @@ BY_CLASS = {
 SEALED = {
     "bench's maps": ("by_bench", "flown"),
     "channels": ("by_channels", "flown"),
+    "bound": ("by_bound", "flown"),
     "true maps": ("by_true", "flown"),
     "channels, over the bench's maps": ("by_channels", "by_bench"),
 }

@@ -122,16 +122,26 @@ def read_site(document: TomlTable) -> Site:
     )
 
 
-def write_campaign(campaign: Campaign, folder: Path | str) -> None:
+def write_campaign(campaign: Campaign, folder: Path | str, *, force: bool = False) -> None:
     """Write a campaign into a folder: the logs, then the index.
 
+    Args:
+        campaign: tests with their logs.
+        folder: is made if it is not there.
+        force: whether a campaign that is there may be replaced.
+
     Raises:
-        CampaignError: a test's id is no file name, or is there twice.
+        CampaignError: a test's id is no file name, or is there twice; or there is a campaign.
         HrgError: a log that is yet to be read can't be used.
         OSError: the folder can't be written.
     """
     folder = Path(folder)
     _check_names(folder, campaign.tests)
+    if (folder / INDEX).exists() and not force:
+        raise CampaignError(
+            f"can't write {folder}: found a campaign there; choose another folder, or replace it "
+            "with force=True"
+        )
     folder.mkdir(parents=True, exist_ok=True)
     for test in campaign.tests:
         write_log(test.log, folder / f"{test.id}.csv.gz")

@@ -89,6 +89,12 @@ def write_headline(diagnosis: Diagnosis) -> str:
         place = _list_families(diagnosis)
         causes = f"its cause{' is' if is_single else 's are'} {names}"
         return f"The gap is explained, and lies in {place}: {causes}{too}."
+    if diagnosis.verdict == "ambiguous" and diagnosis.gap.is_wider_held_out:
+        agree = "agrees" if is_single else "agree"
+        return (
+            f"The gap is open: {names} {agree} with the fitted tests, but not with the held-out "
+            f"ones{too}."
+        )
     if diagnosis.verdict == "ambiguous":
         others = "effects that these records can't separate from it"
         return f"The gap is explained by {names}, or by {others}{too}."
@@ -218,7 +224,7 @@ def _say_what_next(diagnosis: Diagnosis, kinds: Collection[str]) -> list[str]:
 def _say_whether_to_use(diagnosis: Diagnosis) -> str:
     """What the closed files are worth, by the verdict and the verification."""
     files = TERM_FILES if diagnosis.terms else DEVICE_FILES
-    if (diagnosis.gap.shrink_percent or 0.0) < 0:
+    if (diagnosis.gap.shrink_percent or 0.0) < 0 or diagnosis.gap.is_wider_held_out:
         return NOT_CLOSER
     if diagnosis.verdict == "ambiguous":
         return CONFOUNDED

@@ -15,6 +15,7 @@ from pyhrg.common.units import ARCSEC, DEG, STANDARD_GRAVITY
 from pyhrg.gap.diagnose import diagnose
 from pyhrg.gap.findings.diagnosis import Diagnosis
 from pyhrg.gap.replay.simulation import Simulation
+from pyhrg.gap.report.verdict import summarize_diagnosis
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign
 from tests.pyhrg.gap.closing.equation.planted import record_planted, shift_angle
@@ -117,10 +118,13 @@ def test_causes_that_held_out_tests_contradict_are_open(simulation: Simulation) 
         return shift_angle(log, ARCSEC * (force - force[0]))
 
     planted = record_tumbles(simulation, Disturbance(shown=misread), 2)
-    found = diagnose(planted, simulation=simulation).diagnosis
-    assert [cause.effect for cause in found.causes] == ["g_sensitive_gain"]
-    assert found.gap.is_wider_held_out
+    found = diagnose(planted, simulation=simulation)
+    assert [cause.effect for cause in found.diagnosis.causes] == ["g_sensitive_gain"]
+    assert found.diagnosis.gap.is_wider_held_out
     assert found.verdict == "ambiguous"
+    said = summarize_diagnosis(found)
+    assert "agrees with the fitted tests, but not with the held-out ones" in said
+    assert "Do not use closed.fmu" in " ".join(said.split())
 
 
 def read_room(log: Log) -> Array:

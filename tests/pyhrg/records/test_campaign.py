@@ -53,6 +53,9 @@ def test_written_campaign_is_read_back(folder: Path, tmp_path: Path) -> None:
         assert after.log.exclusions == ()
         assert np.allclose(after.log.gyro_angle, before.log.gyro_angle, rtol=0, atol=1e-12)
     campaign.write_campaign(found, tmp_path / "again")
+    with pytest.raises(campaign.CampaignError, match="again: found a campaign there; choose"):
+        campaign.write_campaign(found, tmp_path / "again")
+    campaign.write_campaign(found, tmp_path / "again", force=True)
     files = sorted(folder.iterdir())
     assert [file.name for file in sorted((tmp_path / "again").iterdir())] == [f.name for f in files]
     assert (tmp_path / "again" / "campaign.json").read_bytes() == files[0].read_bytes()

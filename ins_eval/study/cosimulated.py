@@ -81,7 +81,7 @@ def sample_truth(mission: StudyMission, interval: float = INTERVAL) -> MissionTr
 
 
 def sample_trajectory(
-    trajectory: Trajectory, duration: float, spacing: float, interval: float = INTERVAL
+    trajectory: Trajectory, duration: float, spacing: float, interval: float
 ) -> MissionTruth:
     """The truth along a trajectory from power-on, for this duration of navigation, s.
 

@@ -39,7 +39,6 @@ from ins_eval.study.witness.believed import BelievedGyro
 from ins_eval.study.witness.block import believe_triad, witness_triads
 from ins_eval.trajectories.catalogue import find_mission_file
 from pyhrg.common.arrays import Array
-from pyhrg.common.units import ARCSEC, MICRO_G
 from pyhrg.fmu import GyroFmu
 
 DEFAULT_SETTINGS: dict[str, Any] = {
@@ -74,8 +73,8 @@ def make_distribution(study: Study, method: Method) -> TriadDistribution:
         calibration=own["calibration"],
         bench=own["bench"],
         drift=own["drift"],
-        accelerometer_bias=study.accelerometer_bias_micro_g * MICRO_G,
-        mounting=study.mounting_arcsec * ARCSEC,
+        accelerometer_bias=study.accelerometer_bias,
+        mounting=study.mounting,
     )
 
 

@@ -38,7 +38,7 @@ from ins_eval.study.tables import columns
 from ins_eval.study.tables.columns import make_table
 from ins_eval.study.witness.tabulate import KEYS, tabulate_witnesses
 from pyhrg.common.arrays import Array
-from pyhrg.common.units import ARCSEC, DEG_PER_H, HOUR, MICRO_G
+from pyhrg.common.units import DEG_PER_H, HOUR
 
 Ratios = Mapping[str, Array]
 """(r, n) errors of the training triads' flights in units of the usual rule, by predictor."""
@@ -59,13 +59,11 @@ class Training:
 
 def train_methods(study: Study, arrays: Arrays) -> dict[Method, Training]:
     """What is learned from the training triads, for each calibration."""
-    with open_missions(study) as missions:
-        weights = [load_mission_weights(mission) for mission in missions]
+    weights = _load_weights(study)
     trained = {}
     for method in list_methods(study):
         training = select_triads(arrays, method).select(slice(study.training))
-        biases = study.accelerometer_bias_micro_g * MICRO_G, study.mounting_arcsec * ARCSEC
-        model = train(training, *biases)
+        model = train(training, study.accelerometer_bias, study.mounting)
         flown: dict[str, list[dict[str, Array]]] = {
             planned.mission_class: [] for planned in study.missions
         }
@@ -74,6 +72,11 @@ def train_methods(study: Study, arrays: Arrays) -> dict[Method, Training]:
             flown[planned.mission_class].append(ratios)
         trained[method] = Training(model, {name: _join(each) for name, each in flown.items()})
     return trained
+
+
+def _load_weights(study: Study) -> list[MissionWeights]:
+    with open_missions(study) as missions:
+        return [load_mission_weights(mission) for mission in missions]
 
 
 def _join(missions: Sequence[Ratios]) -> Ratios:
@@ -93,10 +96,9 @@ def tabulate_witnessed(study: Study, arrays: Arrays) -> pd.DataFrame:
     """Flights whose gyros' channels were read, of all calibrations and missions."""
     if not study.witnessed:
         return pd.DataFrame(columns=KEYS)
-    sensors = study.accelerometer_bias_micro_g * MICRO_G, study.mounting_arcsec * ARCSEC
+    sensors = study.accelerometer_bias, study.mounting
     inside, parts = study.interval_percent / 100, []
-    with open_missions(study) as missions:
-        weights = [select_time(load_mission_weights(mission), -1) for mission in missions]
+    weights = [select_time(each, -1) for each in _load_weights(study)]
     for method in list_methods(study):
         triads = select_triads(arrays, method)
         for number, mission in enumerate(study.missions):
@@ -113,8 +115,7 @@ def tabulate_witnessed(study: Study, arrays: Arrays) -> pd.DataFrame:
 def _tabulate(
     study: Study, arrays: Arrays, trained: Mapping[Method, Training]
 ) -> Iterator[pa.Table]:
-    with open_missions(study) as missions:
-        weights = [load_mission_weights(mission) for mission in missions]
+    weights = _load_weights(study)
     roles = [study.role_of(triad) for triad in range(study.triads)]
     for method, training in trained.items():
         triads = select_triads(arrays, method)

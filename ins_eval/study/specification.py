@@ -10,6 +10,7 @@ from typing import Final
 
 from ins_eval.trajectories.keys import Checked, quantity, whole
 from pyhrg.common.errors import describe_briefly
+from pyhrg.common.units import ARCSEC, MICRO_G
 
 Settings = Mapping[str, float]
 """Values of a dataclass's fields, SI."""
@@ -99,6 +100,16 @@ class Study(Checked):
     settings: Mapping[str, Settings] = field(default_factory=dict)
 
     __repr__ = describe_briefly
+
+    @property
+    def accelerometer_bias(self) -> float:
+        """Standard deviation of each accelerometer's bias, m/s^2."""
+        return self.accelerometer_bias_micro_g * MICRO_G
+
+    @property
+    def mounting(self) -> float:
+        """Standard deviation of the lean of each gyro's input axis in each direction, rad."""
+        return self.mounting_arcsec * ARCSEC
 
     def role_of(self, triad: int) -> str:
         """The role of a triad, counted from 0."""

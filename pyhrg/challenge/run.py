@@ -63,10 +63,10 @@ class Challenge:
         self.folder.begin(self.settings)
         with share_work(workers, self.progress, _fmus) as share:
             hashes = share("generated", partial(_generate, self), cases)
-            self.folder.publish(cases, list(hashes))
-            list(share("diagnosed", partial(_diagnose, self), cases))
+            self.folder.publish(cases, hashes)
+            share("diagnosed", partial(_diagnose, self), cases)
             asked = [case for case in cases if self._is_to_be_settled(case)]
-            list(share("tested again", partial(_diagnose_next, self), asked))
+            share("tested again", partial(_diagnose_next, self), asked)
         score = Score([read_finished(self.folder), *known])
         write(score, self.folder.score)
         return score
@@ -236,4 +236,4 @@ def _diagnose_once(challenge: Challenge, case: Case, campaign: Path, out: Path) 
 @cache
 def _fmus() -> Fmus:
     """The models, loaded once in each process."""
-    return Fmus(load_model("HRGCarrier"), load_simulation())
+    return Fmus(load_model("HRGCarrier"), _load_simulation_once())

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from pyhrg.common.units import ZERO_CELSIUS
 from pyhrg.device.device import Device
-from pyhrg.gap.effects.catalogue import NOISES, NoiseEffect
+from pyhrg.gap.effects.catalogue import NoiseEffect
 from pyhrg.gap.evidence.noise.noise_hypothesis import AddedNoise
 from pyhrg.gap.evidence.noise.quantization import find_quantization, put_quantization
 from pyhrg.gap.evidence.noise.unstated_noise import complete_stated_noise, require_noise
@@ -52,7 +52,7 @@ class Preparation(NamedTuple):
 
 
 def prepare_campaign(
-    campaign: Campaign, simulation: Simulation, noises: Sequence[NoiseEffect] = NOISES
+    campaign: Campaign, simulation: Simulation, noises: Sequence[NoiseEffect]
 ) -> Preparation:
     """Screen a campaign, complete the noise that its nominal device states, and select what each
     test has to compare. `noises` are those that may be named.

@@ -95,12 +95,6 @@ R2 = IntervalAxis(-0.2, 1.0, 1.0)
 RATIO = IntervalAxis(0.1, 100.0, 1.0, log=True)
 SKILL = IntervalAxis(-0.5, 1.0, 0.0)
 CORRELATION = IntervalAxis(-0.5, 1.0, 0.0)
-R2_GAINS = (
-    score.R2_OVER_FIXED,
-    score.R2_OVER_CLASS,
-    score.R2_OVER_FIXED_MEAN,
-    score.R2_SHORTFALL,
-)
 DIFFERENCE = IntervalAxis(0.0, 0.05, 0.01)
 
 

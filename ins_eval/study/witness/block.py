@@ -20,10 +20,10 @@ TESTS = (0.0, SELF_TEST)
 TOGETHER = 5
 """Number of triads that fly side by side. Derived: 15 gyros nearly fill the lanes of two vectors
 of `pyhrg.fmu.WIDE`, and five flights of two hours are a GB."""
+ERRORS = ("flown", "by_bench", "by_channels", "by_self_test", "estimated", "known")
+"""Fields of `WitnessedFlight` that are errors, north and east."""
 SHAPES = {
-    **dict.fromkeys(
-        ("flown", "by_bench", "by_channels", "by_self_test", "estimated", "known"), (2,)
-    ),
+    **dict.fromkeys(ERRORS, (2,)),
     **dict.fromkeys(("estimated_covariance", "known_covariance"), (2, 2)),
     **dict.fromkeys(("squares", "degrees", "p_values", "followed"), (3,)),
 }

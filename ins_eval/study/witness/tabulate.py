@@ -12,12 +12,10 @@ from ins_eval.study.predictors import true_parameters
 from ins_eval.study.predictors.bench_figures import collect_bench_figures
 from ins_eval.study.predictors.prediction import NormalPrediction
 from ins_eval.study.predictors.unpredictable import compute_unpredictable_covariance
-from ins_eval.study.witness.block import TESTS
+from ins_eval.study.witness.block import ERRORS, TESTS
 from pyhrg.common.arrays import Array
 
 AXES = ("north", "east")
-ERRORS = ("flown", "by_bench", "by_channels", "by_self_test", "estimated", "known")
-"""Errors of a flight, north and east (`WitnessedFlight`)."""
 LINEAR = ("bound", "true")
 """Predictions that the linear model takes out of a flight."""
 KEYS = ("calibration", "mission_class", "mission", "triad", "self_test_s")

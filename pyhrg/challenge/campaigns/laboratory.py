@@ -5,7 +5,7 @@ Written without use of the replay that a diagnosis makes of such records.
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -35,15 +35,15 @@ TEMPERATURE_STEP = 0.01
 
 @dataclass(frozen=True)
 class Laboratory:
-    """One laboratory; an ideal one by default.
+    """One laboratory.
 
     Attributes:
         level: largest error of each value, in its tolerance; it scales the recorder's faults too.
         errors: true less nominal value of a field of a device, by field, SI.
     """
 
-    level: float = 0.0
-    errors: Mapping[str, float] = field(default_factory=dict)
+    level: float
+    errors: Mapping[str, float]
 
     def true_device(self, nominal: Device) -> Device:
         """The true gyro, which differs from the nominal one by the errors."""

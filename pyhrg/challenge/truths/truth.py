@@ -94,8 +94,8 @@ class Drawing:
 
     meter: Meter
     generator: np.random.Generator
-    strengths: tuple[float, float] = (DETECTION_SIGMAS, 10 * DETECTION_SIGMAS)
-    effects: Sequence[str] = EFFECT_NAMES
+    strengths: tuple[float, float]
+    effects: Sequence[str]
 
     def state(self, kind: str) -> TrueState:
         """A truth of this kind.

@@ -9,8 +9,7 @@ from pyhrg.gap.closing.closing import Closing, Residuals
 from pyhrg.gap.effects.linear_test import shape_origin
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.simulation import Simulation
-from pyhrg.gap.whitening.channel_noise import CampaignNoise
-from pyhrg.gap.whitening.whitening import whiten
+from pyhrg.gap.whitening.channel_noise import CampaignNoise, whiten_finite
 
 SIGNIFICANT_SIGMA = 5.0
 """Origin, in its standard deviation, from which it counts as wrong. Chosen."""
@@ -35,14 +34,12 @@ def _move(
     test: ObservedTest,
     noise: CampaignNoise,
 ) -> tuple[Residuals, Residuals]:
-    rows = np.isfinite(after["gyro_angle"])
-    if not rows.any():
+    if not np.isfinite(after["gyro_angle"]).any():
         return before, after
     slopes = simulation.differentiate_by_angle(closing.device, test).slopes["gyro_angle"]
     shape = shape_origin(closing.device.bryan_factor, slopes)
-    series = np.column_stack([after["gyro_angle"], shape])[rows]
-    steps = np.diff(test.log.time[rows], prepend=0.0)
-    white = whiten(series, steps, noise.get_model("gyro_angle", test, rows)).series
+    series = np.column_stack([after["gyro_angle"], shape])
+    white = whiten_finite(noise.angle, "gyro_angle", test, series)
     information = float(white[:, 1] @ white[:, 1])
     origin = float(white[:, 1] @ white[:, 0]) / information
     if abs(origin) * np.sqrt(information) < SIGNIFICANT_SIGMA:

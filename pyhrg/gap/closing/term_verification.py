@@ -17,8 +17,7 @@ from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.findings.term import Term
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.simulation import Simulation, replay_sampled_together
-from pyhrg.gap.whitening.channel_noise import CampaignNoise
-from pyhrg.gap.whitening.whitening import whiten
+from pyhrg.gap.whitening.channel_noise import CampaignNoise, whiten_finite
 
 UPPER_QUANTILE = 0.975
 """Quantile of the noise floor above which a residual has an excess: that of a 95 % interval."""
@@ -107,9 +106,7 @@ def _measure_whitened(
     """Root mean square of a channel's whitened residual in tests, in sigma."""
     white = []
     for test, residual in zip(tests, residuals, strict=True):
-        rows = np.isfinite(residual[name])
-        if rows.any():
-            steps = np.diff(test.log.time[rows], prepend=0.0)
-            series = residual[name][rows][:, None]
-            white.append(whiten(series, steps, noise.get_model(name, test, rows)).series[:, 0])
+        if np.isfinite(residual[name]).any():
+            own, series = noise.get_own_model(name, test), residual[name][:, None]
+            white.append(whiten_finite(own, name, test, series)[:, 0])
     return float(np.sqrt(np.mean(np.concatenate(white) ** 2))) if white else 0.0

@@ -10,8 +10,8 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_H
 from pyhrg.gap.findings.diagnosis import Gap, GapFigure
 from pyhrg.gap.replay.observations import ObservedTest
-from pyhrg.gap.whitening.channel_noise import adapt_to_rows
-from pyhrg.gap.whitening.whitening import NoiseModel, draw_noise, whiten
+from pyhrg.gap.whitening.channel_noise import adapt_to_rows, whiten_finite
+from pyhrg.gap.whitening.whitening import NoiseModel, draw_noise
 
 SEED = 1
 """Seed of the noise draws that make the floor."""
@@ -117,10 +117,7 @@ def compute_whiteness(
     65 (1978)); NaN is left out."""
     statistic, degrees = 0.0, 0
     for test, residual in zip(tests, residuals, strict=True):
-        rows = np.isfinite(residual)
-        steps = np.diff(test.log.time[rows], prepend=0.0)
-        own = adapt_to_rows(noise, "gyro_angle", test, rows)
-        white = whiten(residual[rows][:, None], steps, own).series[:, 0]
+        white = whiten_finite(noise, "gyro_angle", test, residual[:, None])[:, 0]
         n, power = len(white), float(white @ white)
         for lag in range(1, min(MAX_LAG, n - 1) + 1):
             correlation = float(white[lag:] @ white[:-lag]) / power

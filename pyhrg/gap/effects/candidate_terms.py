@@ -6,7 +6,7 @@ the angle itself, or a bias, whose integral is the column (docs/methods/effects.
 Those of pick-off and drive stand in `term_columns.py`.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from pyhrg.gap.replay.observations import CHANNEL_WORDS
 from pyhrg.gap.soundness.fault import TABLE_RIPPLES, FaultKind
@@ -24,15 +24,18 @@ class CandidateTerm:
     coordinate: of the campaign format.
     function: which function of the coordinate it is, in words.
     harmonic: where the coordinate is an angle.
-    is_of_each_power_on: whether every test has a size of its own; its one column then stands for
-        another column of the design in each test.
     """
 
     channel: str
     coordinate: str
     function: str
     harmonic: int | None = None
-    is_of_each_power_on: bool = field(default=False, kw_only=True)
+
+    @property
+    def is_of_each_power_on(self) -> bool:
+        """Whether every test has a size of its own; its one column then stands for another column
+        of the design in each test."""
+        return self.function.endswith(EACH_POWER_ON)
 
     @property
     def words(self) -> str:

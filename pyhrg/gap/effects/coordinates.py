@@ -14,6 +14,7 @@ from pyhrg.common.units import ARCSEC
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import EACH_POWER_ON
 from pyhrg.gap.replay.observations import ObservedTest
+from pyhrg.gap.replay.thermometer import compute_slopes
 from pyhrg.gap.soundness.fault import TABLE_RIPPLES
 
 PATTERN_HARMONICS = range(1, 19)
@@ -142,19 +143,12 @@ def compute_coordinates(
         test.inputs.table.means,
         case[1:],
         resonator[1:],
-        _compute_slope(case, log.interval)[1:],
+        compute_slopes(case, log.interval, SMOOTHING_TIME / 2)[1:],
         replay["amplitude"] / nominal.amplitude,
         np.where(is_driven, log.amplitude_setpoint, energetic) / nominal.amplitude - 1,
         np.where(is_driven, replay["amplitude_force"], 0.0),
         replay["quadrature_force"],
     )
-
-
-def _compute_slope(series: Array, interval: float) -> Array:
-    half = max(1, round(SMOOTHING_TIME / interval / 2))
-    n = len(series)
-    low, high = np.maximum(np.arange(n) - half, 0), np.minimum(np.arange(n) + half, n - 1)
-    return np.asarray((series[high] - series[low]) / ((high - low) * interval))
 
 
 def _generate_functions(where: Coordinates) -> Functions:

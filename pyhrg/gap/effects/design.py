@@ -1,6 +1,6 @@
 """Normal equations of a campaign: residuals, sensitivities and candidate terms, whitened."""
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -24,6 +24,9 @@ TestChannel = tuple[str, str]
 SAME_FUNCTION_SHARE = 0.1
 """Share of a candidate term's power below which what an effect leaves of it has no meaning. Chosen:
 terms are approximate shapes."""
+MODEL_ERROR_POWER = 1e-10
+"""Share of the power of a channel's response in a test that the simulation may get wrong (Eq. (9)).
+Derived: two simulators of the same physics, written independently, agree to 1e-5 of a response."""
 MIN_NORM = 1e-9
 """Norm of a whitened column below which these tests don't see it. Chosen."""
 
@@ -120,6 +123,11 @@ class Design:
         """Groups all of whose columns the tests see."""
         return [group for group, own in self.columns.items() if (self.norms[own] > 0).all()]
 
+    def list_columns(self, groups: Iterable[Group]) -> NDArray[np.int64]:
+        """Indices of the columns of some groups, in their order."""
+        own = (self.columns[group] for group in groups)
+        return np.concatenate([np.empty(0, np.int64), *own])
+
 
 def list_forms(design: Design, term: CandidateTerm) -> list[CandidateTerm]:
     """Candidate terms of a term's channel, jumps left out: what may stand in its place."""
@@ -206,7 +214,7 @@ def _assemble(columns: Mapping[Group, NDArray[np.int64]], blocks: Sequence[Block
 
 def select_groups(design: Design, groups: Sequence[Group]) -> Design:
     """The equations of some groups alone."""
-    where = np.concatenate([design.columns[group] for group in groups])
+    where = design.list_columns(groups)
     ends = np.cumsum([len(design.columns[group]) for group in groups]).tolist()
     columns = {
         group: np.arange(end - len(design.columns[group]), end)
@@ -240,15 +248,17 @@ def measure_power(design: Design, sizes: Mapping[CandidateTerm, Array]) -> float
     return float(unit @ design.gram @ unit)
 
 
-def compute_excess_power(
+def compute_model_error(
     parts: Sequence[LinearTest], noise: CampaignNoise
 ) -> dict[TestChannel, float]:
-    """Chi-square of each test's residual beyond its number of rows; 0 where it is smaller."""
-    excess = {}
+    """Chi-square that the simulation may get wrong of each test's residual (Eq. (9)): a share of
+    what the residual has beyond its number of rows; 0 where that is less."""
+    error = {}
     for channel in CHANNELS:
         for part in parts:
             own, angle = (part.residual[name][:, None] for name in (channel, "gyro_angle"))
             series = part.at_measured_angle(own, angle, channel)
             white = whiten_rows(part, channel, series, noise).series
-            excess[part.test.test.id, channel] = max(float((white**2).sum()) - len(white), 0.0)
-    return excess
+            excess = max(float((white**2).sum()) - len(white), 0.0)
+            error[part.test.test.id, channel] = MODEL_ERROR_POWER * excess
+    return error

@@ -6,7 +6,7 @@ hypothesis (docs/methods/effects.md, Eqs. 10 to 12). So has the form of a cause 
 parameter may also be wrong by far more: it is then a group of a set (Eq. 12a).
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -90,7 +90,7 @@ class KnownParameters:
         if not self.tolerances:
             return self._apart
         whole, known, others = self._apart, self._known, self._others
-        beyond = self._list_columns(self.effects)
+        beyond = self.whole.list_columns(self.effects)
         free, rows = np.concatenate([others, beyond]), np.isin(known, beyond)
         gain = self._solve(whole.gram[np.ix_(known, free)])
         own = self._solve(whole.projection[known])
@@ -148,7 +148,7 @@ class KnownParameters:
         information = whole.gram[np.ix_(where, where)].copy()
         information[: len(known), : len(known)] += np.diag(1 / self._prior_variance)
         covariance = np.linalg.inv(information)
-        own = self._list_columns(groups)
+        own = self.whole.list_columns(groups)
         change = self._change[np.ix_(own, where)] / self.whole.norms[own][:, None]
         values = change @ covariance @ whole.projection[where]
         return np.asarray(values), np.asarray(change @ covariance @ change.T)
@@ -172,7 +172,7 @@ class KnownParameters:
         others = [whole.columns[group] for group in groups if group not in self._groups]
         where = np.concatenate([self._known, *others])
         information = whole.gram[np.ix_(where, where)]
-        is_fitted = np.isin(self._known, self._list_columns(set(groups) & set(self._groups)))
+        is_fitted = np.isin(self._known, self.whole.list_columns(set(groups) & set(self._groups)))
         information[:count, :count] += np.diag(~is_fitted / self._prior_variance)
         scale = 1 / whole.norms[self._known]
         total = np.linalg.inv(information)[:count, :count] * np.outer(scale, scale)
@@ -181,11 +181,11 @@ class KnownParameters:
 
     @cached_property
     def _known(self) -> NDArray[np.int64]:
-        return self._list_columns(self._groups)
+        return self.whole.list_columns(self._groups)
 
     @cached_property
     def _others(self) -> NDArray[np.int64]:
-        return self._list_columns(g for g in self.whole.columns if g not in self.tolerances)
+        return self.whole.list_columns(g for g in self.whole.columns if g not in self.tolerances)
 
     @cached_property
     def _ends(self) -> NDArray[np.int64]:
@@ -220,11 +220,11 @@ class KnownParameters:
         gram, cause = self.whole.gram, np.concatenate([self._of_terms, self._of_forms])
         cause = cause[self.whole.norms[cause] > 0]
         effects = [g for g in self.whole.groups if isinstance(g, Effect)]
-        own = self._list_columns(g for g in effects if g not in self.tolerances)
+        own = self.whole.list_columns(g for g in effects if g not in self.tolerances)
         cross = gram[np.ix_(cause, own)]
         inside = (cross * (self._invert(cause) @ cross)).sum(axis=0)
         shared = set(own[1 - inside < MIN_SHARE])
-        return self._list_columns(g for g in effects if shared & set(self.whole.columns[g]))
+        return self.whole.list_columns(g for g in effects if shared & set(self.whole.columns[g]))
 
     @cached_property
     def _shares(self) -> Array:
@@ -240,15 +240,11 @@ class KnownParameters:
 
     @property
     def _of_terms(self) -> NDArray[np.int64]:
-        return self._list_columns(self.terms)
+        return self.whole.list_columns(self.terms)
 
     @property
     def _of_forms(self) -> NDArray[np.int64]:
-        return self._list_columns([g for g in self.tolerances if isinstance(g, Form)])
-
-    def _list_columns(self, groups: Iterable[Group]) -> NDArray[np.int64]:
-        columns = [self.whole.columns[group] for group in groups]
-        return np.concatenate([np.empty(0, np.int64), *columns])
+        return self.whole.list_columns([g for g in self.tolerances if isinstance(g, Form)])
 
     @property
     def _log_volume(self) -> float:

@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.gap.effects.candidate_terms import EACH_POWER_ON, CandidateTerm
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.coordinates import (
     LAST_MOTION,
     PATTERN_HARMONICS,
@@ -73,8 +73,7 @@ def _make_term(
     channel: str, coordinate: str, function: str, harmonic: int | None = None, place: str = ""
 ) -> CandidateTerm:
     words = f"{place}: {function}" if place else function
-    own = function == EACH_POWER_ON
-    return CandidateTerm(channel, coordinate, words, harmonic, is_of_each_power_on=own)
+    return CandidateTerm(channel, coordinate, words, harmonic)
 
 
 def _show(block: Array) -> Array:

@@ -101,7 +101,7 @@ def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
     groups = sorted(groups, key=lambda group: isinstance(group, CandidateTerm))
     ends = list(accumulate(len(design.columns[group]) for group in groups))
     parts = [slice(end - len(design.columns[g]), end) for g, end in zip(groups, ends, strict=True)]
-    where = np.concatenate([design.columns[g] for g in groups])
+    where = design.list_columns(groups)
     if not design.norms[where].all():
         return None
     gram = design.gram[where[:, None], where]
@@ -174,7 +174,7 @@ def find_equivalents(
     others: list[Group] = [g for g in best.groups if g != group]
     equivalents = {}
     for other in candidates:
-        if other in best.groups or not (design.norms[design.columns[other]] > 0).all():
+        if other in best.groups:
             continue
         swapped = fit(design, [*others, other])
         if swapped is not None and swapped.log_evidence > best.log_evidence - EQUIVALENCE_LOG_ODDS:

@@ -6,6 +6,7 @@ have in truth (docs/methods/evidence.md, Eq. 10a).
 
 import math
 from collections.abc import Sequence
+from typing import TypeGuard
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
@@ -51,7 +52,7 @@ def rank_with_forms(
     return max(rivals, key=lambda h: h.log_posterior)
 
 
-def _is_term(group: Group) -> bool:
+def _is_term(group: Group) -> TypeGuard[CandidateTerm]:
     return (
         isinstance(group, CandidateTerm)
         and not isinstance(group, Jump)
@@ -128,7 +129,7 @@ def _allow_forms(best: Fit, hypothesis: Hypothesis, parts: Sequence[LinearTest])
     """Forms of the causes for which large terms of a set stand: of those that the hypothesis has,
     and of the strongest other one."""
     by_family: dict[Family, dict[CandidateTerm, Array]] = {}
-    for term, size in _list_large(best, hypothesis).items():
+    for term, size in list_large_terms(best, hypothesis).items():
         by_family.setdefault(term.family, {})[term] = size
     powers = {
         family: measure_power(hypothesis.exact.whole, sizes) for family, sizes in by_family.items()
@@ -146,16 +147,12 @@ def _allow_forms(best: Fit, hypothesis: Hypothesis, parts: Sequence[LinearTest])
     return FormError(sigmas, tuple(terms))
 
 
-def list_large_terms(hypothesis: Hypothesis) -> dict[CandidateTerm, Array]:
-    """Size of each term of the most probable set whose form error is not negligible."""
-    return _list_large(hypothesis.ranking.best, hypothesis)
-
-
-def _list_large(best: Fit, hypothesis: Hypothesis) -> dict[CandidateTerm, Array]:
+def list_large_terms(best: Fit, hypothesis: Hypothesis) -> dict[CandidateTerm, Array]:
+    """Size of each term of a set whose form error is not negligible."""
     design = hypothesis.exact.whole
     return {
         term: size
         for term, size in best.sizes.items()
-        if isinstance(term, CandidateTerm) and _is_term(term)
+        if _is_term(term)
         if FORM_ERROR**2 * measure_power(design, {term: size}) > NEGLIGIBLE_CHI2
     }

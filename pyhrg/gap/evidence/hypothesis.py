@@ -13,9 +13,8 @@ from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import (
     Design,
-    TestChannel,
     build_design,
-    compute_excess_power,
+    compute_model_error,
     discount_model_error,
 )
 from pyhrg.gap.effects.form import Form
@@ -25,12 +24,8 @@ from pyhrg.gap.evidence.evidence import NO_GROUPS, Fit
 from pyhrg.gap.evidence.jump_search import find_jumps, find_steps
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
 from pyhrg.gap.evidence.residuals import compute_residuals, distinct_by_groups
-from pyhrg.gap.evidence.search import Ranking, rank_sets
+from pyhrg.gap.evidence.search import Ranking, is_unnamed, rank_sets
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, estimate_campaign_noise
-
-MODEL_ERROR_POWER = 1e-10
-"""Share of the power of a channel's response in a test that the simulation may get wrong (Eq. (9)).
-Derived: two simulators of the same physics, written independently, agree to 1e-5 of a response."""
 
 
 @dataclass(frozen=True)
@@ -141,7 +136,7 @@ class Hypothesis:
     @property
     def unnamed(self) -> dict[str, float]:
         """What takes part outside the catalogue, in words, with probabilities given this noise."""
-        terms = [g for g in self.ranking.groups if isinstance(g, CandidateTerm) and not g.fault]
+        terms = [g for g in self.ranking.groups if is_unnamed(g)]
         probabilities = dict.fromkeys((term.words for term in terms), 0.0)
         for term in terms:
             probabilities[term.words] += self.ranking.probability(term)
@@ -183,7 +178,7 @@ def rank_under_noise(
     that is the most probable under another noise.
     """
     nominal_noise = estimate_nominal_noise(nominal, parts)
-    model_error = model_error_power(compute_excess_power(parts, nominal_noise))
+    model_error = compute_model_error(parts, nominal_noise)
     for part in parts:
         for channel, left in part.test.unexplained.items():
             model_error[part.test.test.id, channel] += left
@@ -254,8 +249,3 @@ def estimate_nominal_noise(nominal: Device, parts: Sequence[LinearTest]) -> Camp
     """Noise of all channels, that of the output angle as the nominal gyro states it."""
     tests, residuals = [p.test for p in parts], [p.residual for p in parts]
     return estimate_campaign_noise(nominal, tests, residuals, parts[0].device.thermometer_lag)
-
-
-def model_error_power(response: Mapping[TestChannel, float]) -> dict[TestChannel, float]:
-    """Chi-square that the simulation may get wrong of responses with these powers (Eq. (9))."""
-    return {where: MODEL_ERROR_POWER * power for where, power in response.items()}

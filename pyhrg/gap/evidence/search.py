@@ -7,10 +7,12 @@ the best sets have been (docs/methods/evidence.md, "Search").
 import math
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
+from typing import TypeGuard
 
 import numpy as np
 from scipy.special import logsumexp
 
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Design
 from pyhrg.gap.effects.jump import Jump
@@ -86,7 +88,7 @@ class Ranking:
         return [e.name for fit in others for e in fit.named if e not in self.best.groups]
 
 
-def is_unnamed(group: Group) -> bool:
+def is_unnamed(group: Group) -> TypeGuard[CandidateTerm]:
     """Whether it is neither an effect of the catalogue nor a fault of the bench."""
     return not isinstance(group, Effect) and group.fault is None
 

@@ -50,7 +50,7 @@ def reach_verdict(
     faults: Sequence[Cause],
     features: Sequence[ResidualFeature],
     is_material: bool,
-    is_contradicted: bool = False,
+    is_contradicted: bool,
 ) -> tuple[Verdict, tuple[Cause, ...], float]:
     """Verdict, causes among the effects of the catalogue and the noises, then the faults of bench
     and record, and the probability that something outside the catalogue takes part (Eq. (1)), which

@@ -25,13 +25,12 @@ from pyhrg.gap.effects.design import (
     Design,
     Sizes,
     build_design,
-    compute_excess_power,
+    compute_model_error,
 )
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.effects.sensitivities import compute_sensitivities
 from pyhrg.gap.evidence.attribution import Attribution
-from pyhrg.gap.evidence.hypothesis import model_error_power
 from pyhrg.gap.findings.diagnosis import NextTest
 from pyhrg.gap.next_test.candidate_tests import list_candidates
 from pyhrg.gap.next_test.noise_divergence import compute_divergence
@@ -136,7 +135,7 @@ def compute_separations(
             parts.append(_linearize(simulation, attribution, test, sizes[0], groups))
         designs = []
         for h in hypotheses:
-            error = model_error_power(compute_excess_power(parts, h.noise))
+            error = compute_model_error(parts, h.noise)
             designs.append(build_design(parts, h.noise, error))
         sides = [
             _Side(
@@ -184,13 +183,9 @@ def _linearize(
 
 def _information(tests: Design, groups: Sequence[Group], unit: Design) -> Array:
     """(p, p) Fisher information on the groups in some tests, in units of another design."""
-    where = _columns(tests, groups)
-    norms = tests.norms[where] / unit.norms[_columns(unit, groups)]
+    where = tests.list_columns(groups)
+    norms = tests.norms[where] / unit.norms[unit.list_columns(groups)]
     return np.asarray(tests.gram[np.ix_(where, where)] * np.outer(norms, norms))
-
-
-def _columns(tests: Design, groups: Sequence[Group]) -> NDArray[np.int64]:
-    return np.concatenate([np.empty(0, np.int64), *(tests.columns[group] for group in groups)])
 
 
 @dataclass(frozen=True)
@@ -237,7 +232,7 @@ def _noise_divergences(side: _Side, other: _Side, programmes: Sequence[Programme
 def _scale_sizes(known: Sizes, groups: Sequence[Group], unit: Design) -> Array:
     """(p,) sizes of all groups in units of a design's columns; zero where unknown."""
     sizes = [known.get(g, np.zeros(len(unit.columns[g]))) for g in groups]
-    return np.concatenate([np.empty(0), *sizes]) * unit.norms[_columns(unit, groups)]
+    return np.concatenate([np.empty(0), *sizes]) * unit.norms[unit.list_columns(groups)]
 
 
 def _unimitated_power(information: Array, difference: Array, free: NDArray[np.bool_]) -> float:

@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.observations import ObservedTest
+from pyhrg.gap.replay.reading_noise import MIN_DIFFERENCES, is_inlier
 from pyhrg.records import Log
 
 CHANNELS_PER_AMPLITUDE = ("gyro_angle", "amplitude_force", "frequency_offset")
@@ -18,12 +18,6 @@ MIN_LEVEL = 1e-3
 """Smallest amplitude over the nominal one of which noise is computed. Chosen."""
 MIN_RANGE = 0.1
 """Range of a test's amplitude, over the nominal one, that shows whether noise grows. Chosen."""
-MIN_DIFFERENCES = 30
-"""Fewest third differences of such tests from which this is estimated; with fewer, noise does not
-grow. Chosen."""
-OUTLIER_SIGMA = 5.0
-"""Third differences above this many robust standard deviations are not counted as noise.
-Chosen."""
 SHARES = np.linspace(0.0, 1.0, 21)
 """Shares of the variance that are tried."""
 
@@ -60,7 +54,7 @@ def estimate_growing_share(name: str, tests: Sequence[tuple[ObservedTest, Array]
             continue
         differences = np.diff(getattr(test.log, name), 3)[four]
         weighted = differences * level[1:-2][four]
-        kept = np.abs(weighted) <= OUTLIER_SIGMA * estimate_robust_deviation(weighted)
+        kept = is_inlier(weighted)
         squares.append(differences[kept] ** 2)
         levels.append(level[1:-2][four][kept])
     if sum(map(len, squares)) < MIN_DIFFERENCES:

@@ -85,11 +85,6 @@ class ObservedTest:
     line_period: float | None = None
     unexplained: Mapping[str, float] = field(default_factory=dict)
 
-    def read_noise(self, channel: str, rows: Mask | None = None) -> Array | None:
-        """Reading noise of a channel in all rows or in some; None where there is none."""
-        levels = self.reading_noise.get(channel)
-        return levels if levels is None or rows is None else levels[rows]
-
     @property
     def log(self) -> Log:
         """Log of the test, with the inputs that are replayed."""

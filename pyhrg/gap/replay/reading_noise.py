@@ -141,7 +141,7 @@ def _measure_variances(log: Log) -> Iterator[Variances]:
     known = np.isfinite(apart) & _is_steady(log)
     for octave in np.unique(octaves[known]):
         rows = known & (octaves == octave)
-        rows[rows] = _is_inlier(table[rows]) & _is_inlier(apart[rows])
+        rows[rows] = is_inlier(table[rows]) & is_inlier(apart[rows])
         if np.sum(rows) >= MIN_DIFFERENCES:
             place = log.interval, float(np.mean(rates[rows] ** 2)) if octave else 0.0
             of_gyro, both, of_encoder, shared = (
@@ -191,7 +191,8 @@ def _average(products: Array) -> tuple[float, float]:
     return float(np.mean(products)) / VARIANCE_GAIN, error / VARIANCE_GAIN
 
 
-def _is_inlier(series: Array) -> NDArray[np.bool_]:
+def is_inlier(series: Array) -> NDArray[np.bool_]:
+    """(n,) whether differences are noise, and no moves of the table."""
     return np.asarray(np.abs(series) <= OUTLIER_SIGMA * estimate_robust_deviation(series))
 
 

@@ -71,7 +71,7 @@ def correct_temperatures(device: Device, readings: Array, interval: float) -> Ar
     if lag < -SLOPE_TIME:
         readings = follow_with_lag(readings, interval, -lag)
     else:
-        readings = readings + lag * _find_slopes(readings, interval)
+        readings = readings + lag * compute_slopes(readings, interval, SLOPE_TIME)
     reference = device.reference_temperature
     change = readings - device.thermometer_offset - reference
     return np.asarray(reference + change / (1 + device.thermometer_gain))
@@ -85,8 +85,8 @@ def estimate_thermometer_noise(temperatures: Array) -> Array:
     return np.asarray(temperatures - savgol_filter(temperatures, NOISE_ROWS, 2))
 
 
-def _find_slopes(readings: Array, interval: float) -> Array:
-    """(n,) slopes of readings over `SLOPE_TIME` either way, K/s."""
-    rows, half = np.arange(len(readings)), max(1, round(SLOPE_TIME / interval))
+def compute_slopes(readings: Array, interval: float, reach: float) -> Array:
+    """(n,) slopes of readings at this interval, s, over a reach either way, s."""
+    rows, half = np.arange(len(readings)), max(1, round(reach / interval))
     low, high = np.maximum(rows - half, 0), np.minimum(rows + half, len(rows) - 1)
     return np.asarray((readings[high] - readings[low]) / ((high - low) * interval))

@@ -9,6 +9,7 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import make_choice, make_paragraph
 from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95
 from pyhrg.gap.report.closing import NOT_VERIFIED
 from pyhrg.gap.report.figures.panels import ALL, Panel, compute_panels, draw_panel, find_extremes
 from pyhrg.gap.report.figures.strips import Band, Labels, Size, Strip, draw_strips
@@ -74,7 +75,7 @@ def _compute_band(result: CampaignDiagnosis, i: int, view: View) -> Band:
     test = result.tests[i]
     noise = draw_view_noise(test, view, result.noise, (i,))
     parts = np.array_split(np.arange(len(noise)), min(BAND_BINS, len(noise)))
-    half = np.array([1.96 * np.sqrt((noise[part] ** 2).mean()) for part in parts])
+    half = np.array([NORMAL_95 * np.sqrt((noise[part] ** 2).mean()) for part in parts])
     middles = np.array([test.log.time[part].mean() for part in parts])
     return Band(middles, half, float(np.ptp(test.log.time)) / len(parts))
 

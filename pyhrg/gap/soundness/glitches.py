@@ -11,6 +11,7 @@ from pyhrg.device.device import Device
 from pyhrg.gap.replay.loop_response import FORCES
 from pyhrg.gap.replay.observations import (
     CHANNELS,
+    Mask,
     compute_settling_time,
     find_command_changes,
     find_table_acceleration,
@@ -25,8 +26,6 @@ from pyhrg.gap.soundness.exclusion import (
 from pyhrg.gap.soundness.inputs import CONTINUOUS_INPUTS
 from pyhrg.records import Log
 from pyhrg.records.columns import BY_FIELD
-
-Mask = NDArray[np.bool_]
 
 MAX_LENGTH = 3
 """Longest glitch, rows. Chosen."""

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
+from pyhrg.gap.replay.observations import COMMAND_COLUMNS
 from pyhrg.gap.replay.reading_noise import estimate_scatter
 from pyhrg.gap.soundness.attitude import ACCELERATIONS
 from pyhrg.gap.soundness.exclusion import find_runs, replace_columns
@@ -25,8 +26,6 @@ REST_TOLERANCE = 1e-6
 NOISE_SIGMA = 10.0
 """Change of the table's turn in a row that noise of the encoder explains, in standard deviations of
 its noise. Chosen: a change of rate is known from up to four readings."""
-COMMANDS = ("axis_up", "virtual_rotation", "amplitude_setpoint", "phase_offset", "drive_on")
-"""Inputs that are constant between changes."""
 CONTINUOUS_INPUTS = ("table_angle", "temperature", *ACCELERATIONS)
 """Inputs that are interpolated linearly."""
 
@@ -88,7 +87,7 @@ def _place_on_grid(log: Log) -> tuple[Log, NDArray[np.bool_]]:
         log = replace_columns(log, columns)
     grid = np.arange(1, len(log.time) + 1) * log.interval
     time = np.where(np.isfinite(log.time), log.time, grid)
-    inputs = np.stack([getattr(log, field) for field in (*COMMANDS, *CONTINUOUS_INPUTS)])
+    inputs = np.stack([getattr(log, field) for field in (*COMMAND_COLUMNS, *CONTINUOUS_INPUTS)])
     return replace(log, time=time), ~np.isfinite(inputs).all(axis=0)
 
 
@@ -99,7 +98,7 @@ def _find_cut(log: Log, missing: NDArray[np.bool_]) -> tuple[int, str]:
             return first, f"{log.source}: inputs missing from time_s {log.time[first]:g} to the end"
         if first == 0 and end > MAX_MISSING_AT_START * len(missing):
             raise LogError(f"{log.source}: {end} rows are missing before the first one")
-        commands = [getattr(log, field) for field in COMMANDS]
+        commands = [getattr(log, field) for field in COMMAND_COLUMNS]
         is_kept = first == 0 or all(c[first - 1] == c[end] for c in commands)
         if not (is_kept and _keeps_rate(log, first, end)):
             time = log.time[first]
@@ -137,7 +136,7 @@ def _fill_inputs(log: Log, known: NDArray[np.int64]) -> Log:
     """Inputs of missing rows: interpolated, or as in the last known row."""
     rows = np.arange(len(log.time))
     before = known[np.clip(np.searchsorted(known, rows, side="right") - 1, 0, None)]
-    columns = {name: getattr(log, name)[before] for name in COMMANDS}
+    columns = {name: getattr(log, name)[before] for name in COMMAND_COLUMNS}
     for name in CONTINUOUS_INPUTS:
         columns[name] = np.interp(rows, known, getattr(log, name)[known])
     return replace_columns(log, columns)

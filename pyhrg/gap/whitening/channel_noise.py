@@ -11,16 +11,11 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.observations import Mask, ObservedTest
+from pyhrg.gap.replay.reading_noise import MIN_DIFFERENCES, OUTLIER_SIGMA
 from pyhrg.gap.replay.replay import list_measured_temperatures
 from pyhrg.gap.replay.thermometer import estimate_reading_steps
-from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel
+from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel, whiten
 
-OUTLIER_SIGMA = 5.0
-"""Second differences above this many robust standard deviations are not counted as noise.
-Chosen."""
-MIN_DIFFERENCES = 30
-"""Fewest second differences of rows of one length from which their noise is estimated; with fewer,
-those of all lengths are used. Chosen."""
 REPLAY_RESOLUTION = {
     "amplitude": 2e-8,
     "amplitude_force": 3e-9,
@@ -113,12 +108,22 @@ def adapt_to_rows(
 ) -> NoiseModel:
     """A channel's noise in the rows of a test: with the readings' own noise, and grown where the
     amplitude is small. The amplitude walks once the drive is off (Eqs. 13, 17 and 17a)."""
-    own = noise.add_reading_noise(test.read_noise(channel, rows))
-    growth = test.noise_growth.get(channel)
+    levels, growth = (
+        values if values is None or rows is None else values[rows]
+        for values in (test.reading_noise.get(channel), test.noise_growth.get(channel))
+    )
+    own = noise.add_reading_noise(levels)
     if growth is None:
         return own
-    growth = growth if rows is None else growth[rows]
     return replace(own, walk_growth=growth, white_growth=None if channel == "amplitude" else growth)
+
+
+def whiten_finite(noise: NoiseModel, channel: str, test: ObservedTest, series: Array) -> Array:
+    """(m, p) rows of (n, p) series of a channel in a test, whitened with its noise before it is
+    adapted to rows; NaN in the first column is left out."""
+    rows = np.isfinite(series[:, 0])
+    steps = np.diff(test.log.time[rows], prepend=0.0)
+    return whiten(series[rows], steps, adapt_to_rows(noise, channel, test, rows)).series
 
 
 def estimate_campaign_noise(

@@ -61,7 +61,7 @@ def draw_path(
     x: tuple[str, svg.Scale],
     y: tuple[str, svg.Scale],
     colour: str,
-    attributes: str = "",
+    attributes: str,
 ) -> str:
     """Dots of one colour, in the units of `scale_dots`."""
     (column_x, across), (column_y, up) = x, y

@@ -24,12 +24,10 @@ RATE_SCALE, ANGLE_SCALE = 0.1 * DEG_PER_H, 0.1 * ARCSEC
 class UnnamedNoise:
     """A correlated noise that the catalogue lacks.
 
-    log_odds: log odds that it takes part, against noises of the catalogue alone.
-    log_prior: part of these odds that does not come from the records.
+    log_prior: part of the log odds that it takes part which does not come from the records.
     """
 
     correlated: CorrelatedNoise
-    log_odds: float
     log_prior: float
 
     @property
@@ -87,15 +85,14 @@ class NoiseHypothesis:
 def fit_unnamed_noise(
     likelihood: Likelihood, bases: Sequence[tuple[NoiseModel, float]]
 ) -> UnnamedNoise:
-    """The most probable unnamed noise beside one of some noises with their log priors; its log odds
-    are log likelihood plus log prior."""
+    """The most probable unnamed noise beside one of some noises with their log priors."""
     candidates = [
         _fit_lag(likelihood, noise, log_prior, of_rate, lag)
         for noise, log_prior in bases
         for of_rate, lags in ((True, RATE_LAGS), (False, ANGLE_LAGS))
         for lag in lags
     ]
-    return max(candidates, key=lambda noise: noise.log_odds)
+    return max(candidates, key=lambda candidate: candidate[0])[1]
 
 
 def _fit_lag(
@@ -104,8 +101,9 @@ def _fit_lag(
     base_log_prior: float,
     of_rate: bool,
     lag: float,
-) -> UnnamedNoise:
-    """Noise of this correlation time, s, at its most probable level."""
+) -> tuple[float, UnnamedNoise]:
+    """Noise of this correlation time, s, at its most probable level, after its log likelihood plus
+    log prior."""
     scale = RATE_SCALE if of_rate else ANGLE_SCALE
 
     def gain(logarithm: float) -> float:
@@ -115,4 +113,4 @@ def _fit_lag(
     level = fit_level(gain, scale)
     log_prior = level.log_prior(UNNAMED_ODDS / (len(RATE_LAGS) + len(ANGLE_LAGS)))
     correlated = CorrelatedNoise(math.exp(level.logarithm), lag, of_rate)
-    return UnnamedNoise(correlated, level.gain + log_prior, log_prior)
+    return level.gain + log_prior, UnnamedNoise(correlated, log_prior)

@@ -35,9 +35,8 @@ def fit_rival_noises(
     log_odds -= likelihood(plain.noise) + plain.log_prior
     if log_odds <= 0:
         return [plain, *_drop_each(posterior, plain.added)]
-    best = replace(rival, unnamed=replace(unnamed, log_odds=log_odds))
-    fewer = _drop_each(beside, best.added, best.unnamed)
-    return [best, *fewer, _assemble(posterior, best.added), plain]
+    fewer = _drop_each(beside, rival.added, unnamed)
+    return [rival, *fewer, _assemble(posterior, rival.added), plain]
 
 
 def _find_named(posterior: NoisePosterior, noises: Sequence[NoiseEffect]) -> tuple[AddedNoise, ...]:

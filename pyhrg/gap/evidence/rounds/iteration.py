@@ -13,7 +13,7 @@ from dataclasses import replace
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
-from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue, Effect
+from pyhrg.gap.effects.catalogue import Catalogue, Effect
 from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.effects.sensitivities import compute_sensitivities, linearize_test
 from pyhrg.gap.evidence.attribution import Attribution
@@ -62,7 +62,7 @@ def attribute_gap(
     simulation: Simulation,
     nominal: Device,
     tests: Sequence[ObservedTest],
-    catalogue: Catalogue = FULL_CATALOGUE,
+    catalogue: Catalogue,
     report: Callable[[str], None] = lambda text: None,
 ) -> Attribution:
     """Find the effects and noises of the catalogue that make the gap in tests that may be fitted
@@ -184,7 +184,8 @@ class _Iteration:
             hypothesis = self._rank()
         elif self._linearization_error:
             self._linearization_error = LINEARIZATION_ERROR * length**2
-        if self._linearization_error or list_large_terms(hypothesis):  # their response is curved
+        large = list_large_terms(hypothesis.ranking.best, hypothesis)
+        if self._linearization_error or large:  # their response is curved
             self.posterior = Posterior((hypothesis,), (1.0,))
         elif hypothesis.ranking.best.groups == self._compared_groups:
             others = self.posterior.hypotheses[1:]

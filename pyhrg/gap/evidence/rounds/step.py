@@ -39,7 +39,7 @@ def go_halfway(old: Device, new: Device, effects: Sequence[Effect]) -> Device:
 def measure_step(old: Device, new: Device, summed: Design) -> float:
     """Mahalanobis distance between two gyros (Eq. (11))."""
     effects = [group for group in summed.columns if isinstance(group, Effect)]
-    where = np.concatenate([summed.columns[effect] for effect in effects])
+    where = summed.list_columns(effects)
     change = np.concatenate([effect.vector(new) - effect.vector(old) for effect in effects])
     unit = change * summed.norms[where]
     return float(np.sqrt(max(float(unit @ summed.gram[np.ix_(where, where)] @ unit), 0.0)))

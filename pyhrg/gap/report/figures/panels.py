@@ -11,6 +11,7 @@ from scipy.sparse import csr_array
 
 from pyhrg.common.arrays import Array
 from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95
 from pyhrg.gap.report.figures.strips import Band, Labels, Size, Strip, draw_strips
 from pyhrg.gap.report.figures.views import (
     AXES,
@@ -66,7 +67,7 @@ class Bins:
         kept = self.counts > 0
         n = self.counts[kept]
         centres = (self.edges[1:] + self.edges[:-1])[kept] / 2
-        band = 1.96 * np.sqrt((self.noise[kept] ** 2).mean(axis=1)) / n
+        band = NORMAL_95 * np.sqrt((self.noise[kept] ** 2).mean(axis=1)) / n
         width = float(self.edges[1] - self.edges[0])
         return Means(centres, width, self.before[kept] / n, self.after[kept] / n, band)
 

@@ -14,6 +14,7 @@ from scipy.special import gammaln, logsumexp
 from pyhrg.common.arrays import Array
 from pyhrg.gap.static_record.belief import Belief
 from pyhrg.gap.static_record.fit.likelihood import Transform, compute_log_likelihoods
+from pyhrg.gap.static_record.fit.unknowns import average_logs
 from pyhrg.noise.likelihood import POWERS
 
 DECADE = float(np.log(10))
@@ -189,7 +190,7 @@ def _compute_log_density(parameters: Array, centres: Array, roots: Array) -> Arr
         t = np.linalg.solve(root, (parameters - centre).T)
         tail = (T_FREEDOM + d) / 2 * np.log1p(np.sum(t**2, axis=0) / T_FREEDOM)
         logs.append(constant - tail - np.linalg.slogdet(root)[1])
-    return np.asarray(logsumexp(logs, axis=0) - np.log(len(logs)))
+    return average_logs(np.array(logs))
 
 
 def _choose_starts(problem: Problem, extra: tuple[int, ...]) -> list[Array]:

@@ -6,7 +6,7 @@ average over records that are as believed. By Markov's inequality it exceeds 1/a
 most a of them, so the false-alarm rate is bounded without simulation.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -16,7 +16,7 @@ from scipy.special import logsumexp
 from pyhrg.common.arrays import Array
 from pyhrg.gap.static_record.fit.evidence import Posterior, Problem, compute_posterior
 from pyhrg.gap.static_record.fit.likelihood import whiten_coefficients
-from pyhrg.gap.static_record.fit.unknowns import Unknown, assess_unknowns
+from pyhrg.gap.static_record.fit.unknowns import Unknown, assess_unknowns, average_logs
 
 FALSE_ALARMS = 0.02
 """Largest share of records as believed that are called a gap (chosen)."""
@@ -73,9 +73,7 @@ class Ranking:
         return float(np.sum(self.probabilities[list(chosen)]))
 
 
-def rank_explanations(
-    problem: Problem, seed: int = 0, false_alarms: float = FALSE_ALARMS
-) -> Ranking:
+def rank_explanations(problem: Problem, seed: int, false_alarms: float) -> Ranking:
     """Compute the posterior probabilities of all explanations. Those of several parts are added
     only where those of one part raise the alarm, as at most the share `false_alarms` of records as
     believed does."""
@@ -84,7 +82,7 @@ def rank_explanations(
     unknowns = compare_unknowns_beside(null)
     of_terms = [s.log_evidence - null.log_evidence for s in singles]
     of_unknowns = [u.log_ratio for u in unknowns]
-    log_ratio = float(logsumexp([_log_mean(of_terms), _log_mean(of_unknowns)]) - np.log(2))
+    log_ratio = float(average_logs([average_logs(of_terms), average_logs(of_unknowns)]))
     terms = [null, *singles]
     if log_ratio > -np.log(false_alarms):
         sets = combinations(range(problem.effects), 2)
@@ -99,10 +97,6 @@ def _extend_pairs(pairs: list[Posterior], effects: int) -> list[tuple[int, ...]]
     best = sorted(pairs, key=lambda p: -p.log_evidence)[:EXTENDED_PAIRS]
     sets = {frozenset({*p.extra, more}) for p in best for more in range(effects)}
     return sorted(tuple(sorted(s)) for s in sets if len(s) == 3)
-
-
-def _log_mean(logs: Sequence[float]) -> float:
-    return float(logsumexp(logs) - np.log(len(logs)))
 
 
 def compare_unknowns_beside(terms: Posterior) -> tuple[Unknown, ...]:

@@ -4,6 +4,7 @@ Each unknown is an alternative to the standard normal distribution of the whiten
 with its size marginalised. Over white records its Bayes factor to "white" is 1 or less on average.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -57,7 +58,7 @@ def assess_unknowns(white: Array) -> tuple[Unknown, ...]:
 
 def _assess_excess(white: Array) -> Unknown:
     """Power that differs from the noise model, octave by octave."""
-    parts = _average(_compute_log_marginals(*sum_octaves(white)))
+    parts = average_logs(_compute_log_marginals(*sum_octaves(white)))
     return Unknown("excess in the spectrum", "noise", _combine_parts(parts))
 
 
@@ -67,7 +68,7 @@ def _assess_line(white: Array) -> Unknown:
     variance = 1 + LINE_POWERS[:, np.newaxis]
     power = white[1:] ** 2 + white[:-1] ** 2
     logs = -np.log(variance) + power / 2 * (1 - 1 / variance)
-    return Unknown("periodic signal", "time", float(_average(_average(logs))))
+    return Unknown("periodic signal", "time", float(average_logs(average_logs(logs))))
 
 
 def _assess_time_variation(white: Array) -> Unknown:
@@ -88,7 +89,7 @@ def _compute_time_log_ratio(values: Array) -> float:
     blocks = np.array_split(values / np.sqrt(np.mean(values**2)), TIME_BLOCKS)
     power = np.array([np.sum(block**2) for block in blocks])
     count = np.array([len(block) for block in blocks])
-    return float(_average(np.sum(_compute_log_marginals(power, count), axis=1)))
+    return float(average_logs(np.sum(_compute_log_marginals(power, count), axis=1)))
 
 
 def _compute_log_marginals(power: Array, count: Array) -> Array:
@@ -104,8 +105,8 @@ def _compute_log_marginals(power: Array, count: Array) -> Array:
     )
 
 
-def _average(logs: Array) -> Array:
-    """Logarithm of the mean over the first axis."""
+def average_logs(logs: Array | Sequence[float | Array]) -> Array:
+    """Logarithm of the mean over the first axis, of numbers by their logarithms."""
     return np.asarray(logsumexp(logs, axis=0) - np.log(len(logs)))
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pyhrg.common.arrays import Array
-from pyhrg.gap.effects.candidate_terms import CandidateTerm
+from pyhrg.gap.effects.candidate_terms import EACH_POWER_ON, CandidateTerm
 from pyhrg.gap.effects.design import Block
 from pyhrg.gap.effects.linear_test import Group
 from pyhrg.gap.findings.localisation import locate_gap
@@ -96,7 +96,7 @@ def test_a_value_for_each_power_on_is_taken_where_nothing_else_explains(
     values: tuple[float, float], coordinate: str
 ) -> None:
     mean = CandidateTerm("gyro_angle", "wave_angle", "mean", 0)
-    each = CandidateTerm("gyro_angle", "time", "of its own", is_of_each_power_on=True)
+    each = CandidateTerm("gyro_angle", "time", EACH_POWER_ON)
     generator = np.random.default_rng(6)
     blocks = []
     for i, value in enumerate(values * 2):

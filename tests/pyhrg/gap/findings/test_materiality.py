@@ -18,7 +18,7 @@ from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel
 def test_a_noise_without_a_name_has_its_own_size(
     lag: float, of_rate: bool, expected: tuple[float, float]
 ) -> None:
-    unnamed = UnnamedNoise(CorrelatedNoise(1e-9, lag, of_rate), 10.0, -5.0)
+    unnamed = UnnamedNoise(CorrelatedNoise(1e-9, lag, of_rate), -5.0)
     hypothesis = NoiseHypothesis(NoiseModel(1e-7), (), 0.0, unnamed)
     assert measure_unnamed_noise(hypothesis) == pytest.approx(expected)
     assert measure_unnamed_noise(NoiseHypothesis(NoiseModel(1e-7), ())) == (0.0, 0.0)

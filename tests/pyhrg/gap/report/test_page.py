@@ -283,7 +283,7 @@ def test_sections_of_others_stand_before_the_next_test(with_gap: CampaignDiagnos
 
 def test_noises_that_the_records_leave_open_are_told(with_gap: CampaignDiagnosis) -> None:
     one = with_gap.attribution.posterior.best
-    lasting = UnnamedNoise(CorrelatedNoise(1e-9, 30.0, of_rate=True), 0.0, 0.0)
+    lasting = UnnamedNoise(CorrelatedNoise(1e-9, 30.0, of_rate=True), 0.0)
     other = replace(one, noise=replace(one.noise, unnamed=lasting))
     both = replace(with_gap.attribution, posterior=Posterior((one, other), (0.75, 0.25)))
     told = build_page(replace(with_gap, attribution=both))

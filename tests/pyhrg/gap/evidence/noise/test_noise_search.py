@@ -103,4 +103,3 @@ def test_a_noise_that_is_left_out_is_unnamed(name: str, level: float, seed: int)
     others = [effect for effect in NOISES if effect.name != name]
     found = fit_noise(records(BELIEVED.at(name, level), seed), others)
     assert found.unnamed is not None
-    assert found.unnamed.log_odds > 2

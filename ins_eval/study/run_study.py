@@ -58,7 +58,8 @@ class StudyResult:
 
     @property
     def verdict(self) -> str:
-        """Each claim with its verdict, interval and number of triads, and where claims fail."""
+        """Each claim with its verdict, its number of triads and the figures that decide it, with
+        intervals; its verdict in other conditions."""
         return state_verdict(self._data)
 
     @property

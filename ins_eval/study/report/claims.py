@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import groupby
 
 from ins_eval.study.report.figures.matrix import name_negative_r2
 from ins_eval.study.report.figures.parts import name_calibration
@@ -230,29 +231,26 @@ def list_conditions(data: StudyData) -> list[ConditionResult]:
 
 def describe_claim(judged: JudgedClaim) -> str:
     """A claim with its verdict; below it a line for each requirement and class."""
-    claim = judged.claim
-    lines = [f"({claim.letter}) {claim.statement}: {judged.verdict.upper()}"]
-    wide = max(len(name) for name in judged.classes)
-    last = None
-    for score in judged.by_class:
-        requirement = f"{name_requirement(claim, score)}, required {score.asked}:"
-        if requirement != last:
-            lines.append(f"    {requirement}")
-            last = requirement
-        name = score.mission_class
-        lines.append(f"        {name:<{wide}}  {format_score(score)}: {score.verdict}")
+    claim, wide = judged.claim, max(map(len, judged.classes))
+    head = f"({claim.letter}) {claim.statement}: {judged.verdict.upper()}"
+    lines = [f"{head} (n = {judged.n} triads)"]
+    for words, scores in groupby(judged.by_class, lambda score: name_requirement(claim, score)):
+        here = list(scores)
+        lines.append(f"    {words}, required {here[0].asked}:")
+        lines += [
+            f"        {s.mission_class:<{wide}}  {format_score(s)}: {s.verdict}" for s in here
+        ]
     return "\n".join(lines)
 
 
 def describe_conditions(data: StudyData) -> list[str]:
     """The verdict of each claim in each condition, a line for each condition."""
-    judged = judge_conditions(data)
-    names = judged[0].classes if judged else []
-    wide = max(map(len, names), default=0)
+    judged, counts = judge_conditions(data), {each.name: each.n for each in list_conditions(data)}
+    wide = max(map(len, counts), default=0)
     return [
-        f"{name:<{wide}}  "
+        f"{name:<{wide}}  n = {n}: "
         + ", ".join(f"({each.claim.letter}) {each.judge_class(name)}" for each in judged)
-        for name in names
+        for name, n in counts.items()
     ]
 
 

@@ -192,7 +192,7 @@ def _average(products: Array) -> tuple[float, float]:
 
 
 def is_inlier(series: Array) -> NDArray[np.bool_]:
-    """(n,) whether differences are noise, and no moves of the table."""
+    """(n,) whether differences are noise, and not a jump of what is read."""
     return np.asarray(np.abs(series) <= OUTLIER_SIGMA * estimate_robust_deviation(series))
 
 

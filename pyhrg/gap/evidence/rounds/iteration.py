@@ -184,10 +184,11 @@ class _Iteration:
             hypothesis = self._rank()
         elif self._linearization_error:
             self._linearization_error = LINEARIZATION_ERROR * length**2
-        large = list_large_terms(hypothesis.ranking.best, hypothesis)
-        if self._linearization_error or large:  # their response is curved
+        best = hypothesis.ranking.best
+        # the response of large terms is curved
+        if self._linearization_error or list_large_terms(best, hypothesis):
             self.posterior = Posterior((hypothesis,), (1.0,))
-        elif hypothesis.ranking.best.groups == self._compared_groups:
+        elif best.groups == self._compared_groups:
             others = self.posterior.hypotheses[1:]
             self.posterior = replace(self.posterior, hypotheses=(hypothesis, *others))
         else:

@@ -57,7 +57,8 @@ def test_where_a_claim_fails_is_said_with_its_figure() -> None:
     overall = replace(R2, mission_class=ALL, value=0.95, low=0.94, high=0.96, verdict="fails")
     (judged,) = judge_claims(study(overall, R2, CAR), "map")
     assert describe_claim(judged) == (
-        "(c) The fitted map and the trajectory predict each flight: HOLDS IN PART\n"
+        "(c) The fitted map and the trajectory predict each flight: HOLDS IN PART "
+        "(n = 40 triads)\n"
         "    R2 of single flights, required >= 0.97:\n"
         "        car   0.900 (0.850 to 0.940): fails\n"
         "        ship  0.980 (0.975 to 0.990): holds"
@@ -98,7 +99,7 @@ def test_conditions_name_the_claims_that_fail() -> None:
     assert calibrated.figures["fails"][0].startswith("(b) flown / predicted, by the class constant")
     assert level.figures["undecided"][0].startswith("(c) R2 of single flights")
     assert describe_conditions(result) == [
-        "self-calibrated   (a) holds, (b) fails, (c) undecided",
-        "straight & level  (a) holds, (b) holds, (c) undecided",
+        "straight & level  n = 12: (a) holds, (b) holds, (c) undecided",
+        "self-calibrated   n = 12: (a) holds, (b) fails, (c) undecided",
     ]
     assert describe_conditions(synthetic(4, conditions=False)) == []

@@ -57,6 +57,7 @@ def run(options: argparse.Namespace) -> None:
         )
     print(result.verdict)
     print(f"\nwritten to {options.out}: {', '.join(result.files)}")
+    print(f"to read, open {options.out / 'report.html'} in a browser")
 
 
 def _run_challenge(options: argparse.Namespace) -> None:

@@ -34,3 +34,4 @@ def run(options: argparse.Namespace) -> None:
         )
     print(result.summary)
     print(f"\nwritten to {options.out}: {', '.join(result.files)}")
+    print(f"to read, open {options.out / 'report.html'} in a browser")

@@ -167,15 +167,14 @@ def _replay_few(
     with ExitStack() as stack:
         gyros, varying = [], []
         for device, inputs in runs:
-            moving = _list_moving_inputs(fmu, device, inputs, steps)
+            temperatures = inputs.find_case_temperatures(device)
             parameters = _list_parameters(fmu, device) | starts
-            case = float(inputs.find_case_temperatures(device)[0])
-            parameters["caseTemperature"] = case
+            parameters["caseTemperature"] = float(temperatures[0])
             if inputs.is_soaked:
-                parameters[START_TEMPERATURE] = case - device.reference_temperature
+                parameters[START_TEMPERATURE] = temperatures[0] - device.reference_temperature
             angle = _find_start_angle(device, inputs)
             gyros.append(stack.enter_context(fmu.power_on(parameters, seed=0, start_angle=angle)))
-            varying.append(moving)
+            varying.append(_list_moving_inputs(fmu, device, inputs, temperatures, steps))
         recorded = record_rows_together(
             gyros, varying, [held] * len(gyros), step, LOOP_OUTPUTS, READ_AT_END
         )
@@ -210,13 +209,13 @@ def _list_parameters(fmu: GyroFmu, device: Device) -> dict[str, float]:
 
 
 def _list_moving_inputs(
-    fmu: GyroFmu, device: Device, inputs: ReplayInputs, steps: int
+    fmu: GyroFmu, device: Device, inputs: ReplayInputs, temperatures: Array, steps: int
 ) -> dict[str, Array]:
-    """(n, steps) inputs that change within a row."""
+    """(n, steps) inputs that change within a row, with the case's (n + 1,) temperatures at the
+    rows' bounds, K."""
     angle = inputs.table_angle(steps)
     earth = compute_earth_rate(device, inputs.log.axis_up[:, None], angle)
     eccentric = device.encoder_eccentricity * np.cos(angle + device.encoder_eccentricity_phase)
-    temperatures = inputs.find_case_temperatures(device)
     moving = {
         "angularRate": inputs.table.compute_rates(steps) * (1 + eccentric) + earth,
         "caseTemperature": interpolate_rows(temperatures, compute_step_middles(steps)),

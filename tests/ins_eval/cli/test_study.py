@@ -63,7 +63,10 @@ def test_study_whose_blocks_are_all_there_is_concluded(
             folder.keep(number, work(number))
     assert main(["study", str(file), "--out", str(out)]) == 0
     said = capsys.readouterr()
-    assert said.out == f"cheap\n\nwritten to {out}: {', '.join(CHEAP.files)}\n"
+    assert said.out == (
+        f"cheap\n\nwritten to {out}: {', '.join(CHEAP.files)}\n"
+        f"to read, open {out / 'report.html'} in a browser\n"
+    )
     conclude(study, block.join_blocks([made(study, range(75))]), tmp_path)
     for name in CHEAP.files:
         assert (out / name).read_bytes() == (tmp_path / name).read_bytes()

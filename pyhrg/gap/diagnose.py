@@ -39,7 +39,8 @@ from pyhrg.gap.next_test.static_test import suggest_static_test
 from pyhrg.gap.preparation import Preparation, prepare_campaign
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
 from pyhrg.gap.replay.simulation import Simulation, load_simulation
-from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
+from pyhrg.gap.whitening.campaign_noise import CampaignNoise
+from pyhrg.gap.whitening.channel_noise import build_angle_noise
 from pyhrg.records import campaign as campaigns
 from pyhrg.records.campaign import Campaign
 from pyhrg.records.columns import BY_FIELD

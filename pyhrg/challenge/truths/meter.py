@@ -20,7 +20,13 @@ from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD
 from pyhrg.gap.effects.catalogue import DETERMINISTIC, EFFECTS, NOISE_EFFECTS, Effect, NoiseEffect
 from pyhrg.gap.replay.free_pattern import NOISE_GROWTH_LIMIT
-from pyhrg.gap.replay.observations import CHANNELS, COARSE_STEP, Mask, observe_test
+from pyhrg.gap.replay.observations import (
+    CHANNELS,
+    COARSE_STEP,
+    Mask,
+    observe_test,
+    see_angles,
+)
 from pyhrg.gap.replay.replay import ReplayInputs, prepare_inputs, replay_inputs
 from pyhrg.gap.replay.simulation import Simulation, compute_carrier_terms, is_short
 from pyhrg.gap.whitening.whitening import NoiseModel, whiten
@@ -222,7 +228,9 @@ class Meter:
         answer = self._replay(prepare_inputs(log, self.nominal))
         residual = {name: getattr(log, name) - answer[name] for name in CHANNELS}
         turned = self.nominal.bryan_factor * residual["gyro_angle"]
-        at_angle = {name: residual[name] + test.slopes[name] * turned for name in CHANNELS}
+        at_angle = {
+            name: residual[name] + test.slopes[name] * see_angles(name, turned) for name in CHANNELS
+        }
         return _scale_force(log, at_angle)
 
     def _build_noises(self, device: Device, interval: float) -> dict[str, NoiseModel]:

@@ -14,7 +14,7 @@ from pyhrg.gap.effects.form import Form
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.linear_test import Group, LinearTest, whiten_rows, whiten_terms
 from pyhrg.gap.replay.observations import CHANNELS
-from pyhrg.gap.whitening.channel_noise import CampaignNoise
+from pyhrg.gap.whitening.campaign_noise import CampaignNoise
 
 Sizes = Mapping[Group, Array]
 """Size of each group, in units of its columns."""

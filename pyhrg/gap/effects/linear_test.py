@@ -15,12 +15,13 @@ from pyhrg.gap.effects.coordinates import Coordinates
 from pyhrg.gap.effects.form import Form, build_form_columns, build_reading_columns
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.term_columns import build_term_columns
-from pyhrg.gap.replay.observations import ObservedTest
+from pyhrg.gap.replay.observations import ObservedTest, see_angles
 from pyhrg.gap.replay.simulation import compute_carrier_terms
 from pyhrg.gap.replay.table_steps import shape_rounding_errors
 from pyhrg.gap.replay.thermometer import estimate_thermometer_noise
 from pyhrg.gap.soundness.origin import is_origin_set
-from pyhrg.gap.whitening.channel_noise import CampaignNoise, compute_temperature_slopes
+from pyhrg.gap.whitening.campaign_noise import CampaignNoise
+from pyhrg.gap.whitening.channel_noise import compute_temperature_slopes
 from pyhrg.gap.whitening.smoothing import is_coarsely_quantized, smooth_readings
 from pyhrg.gap.whitening.whitening import WhitenedSeries, whiten
 
@@ -140,7 +141,8 @@ class LinearTest:
         if is_coarsely_quantized(self.device):
             log = self.test.log
             angles = smooth_readings(angles, np.isfinite(log.gyro_angle), log.interval, self.device)
-        return series + self.bryan_factor * self.slopes[channel][:, None] * angles
+        turned = self.bryan_factor * see_angles(channel, angles)
+        return series + self.slopes[channel][:, None] * turned
 
 
 def whiten_terms(

@@ -10,7 +10,7 @@ from pyhrg.fmu import GyroError
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.coordinates import compute_coordinates
 from pyhrg.gap.effects.linear_test import LinearTest
-from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
+from pyhrg.gap.replay.observations import CHANNELS, ObservedTest, see_angles
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation
 
 STEP_SHARE = 1e-4
@@ -40,7 +40,8 @@ def linearize_test(
     by_angle = simulation.differentiate_by_angle(device, test)
     turned = nominal.bryan_factor * (test.log.gyro_angle - simulated["gyro_angle"])
     for name in CHANNELS[1:]:
-        residual[name] = residual[name] - by_angle.curvatures[name] * turned**2 / 2
+        seen = see_angles(name, turned)
+        residual[name] = residual[name] - by_angle.curvatures[name] * seen**2 / 2
     return LinearTest(test, device, simulated, residual, sensitivities, where, by_angle.slopes)
 
 

@@ -15,7 +15,8 @@ from pyhrg.gap.evidence.posterior import Posterior
 from pyhrg.gap.evidence.residuals import compute_residuals
 from pyhrg.gap.evidence.search import Ranking
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation
-from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
+from pyhrg.gap.whitening.campaign_noise import CampaignNoise
+from pyhrg.gap.whitening.channel_noise import build_angle_noise
 
 
 @dataclass(frozen=True)

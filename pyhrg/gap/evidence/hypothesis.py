@@ -25,7 +25,8 @@ from pyhrg.gap.evidence.jump_search import find_jumps, find_steps
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
 from pyhrg.gap.evidence.residuals import compute_residuals, distinct_by_groups
 from pyhrg.gap.evidence.search import Ranking, is_unnamed, rank_sets
-from pyhrg.gap.whitening.channel_noise import CampaignNoise, estimate_campaign_noise
+from pyhrg.gap.whitening.campaign_noise import CampaignNoise
+from pyhrg.gap.whitening.channel_noise import estimate_campaign_noise
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.replay.observations import CHANNELS, Mask
-from pyhrg.gap.whitening.channel_noise import CampaignNoise
+from pyhrg.gap.whitening.campaign_noise import CampaignNoise
 from pyhrg.gap.whitening.whitening import NoiseModel, whiten
 from pyhrg.records import Log
 

@@ -36,6 +36,9 @@ BEAM_WIDTH = 10
 """Number of best sets that are extended and reduced. Chosen."""
 MAX_GROUPS = 12
 """Number of groups that a set may have. Chosen: the challenge plants up to 7."""
+PRODUCT_WEIGHT = 0.25
+"""Prior odds of a candidate term that is a product of two functions, over those of one function: of
+two that explain as much the simpler one is the more probable. Chosen."""
 MIN_PROBABILITY = 1e-12
 """Sets with a smaller posterior probability are not kept. Chosen."""
 MAX_LOG_ODDS_BELOW_BEST = 30.0
@@ -158,15 +161,23 @@ def _select_next(fits: Mapping[Key, tuple[Fit, float]], extended: Collection[Key
 def list_prior_log_odds(groups: Sequence[Group]) -> list[float]:
     """Prior log odds that each group takes part (Eq. (6))."""
     kinds = [_name_kind(group) for group in groups]
+    weights = [PRODUCT_WEIGHT if _is_product(group) else 1.0 for group in groups]
+    whole = dict.fromkeys(kinds, 0.0)
+    for kind, weight in zip(kinds, weights, strict=True):
+        whole[kind] += weight
     odds = {
         "effect": EFFECT_ODDS,
         "known": BEYOND_ODDS,
         "term": UNNAMED_ODDS,
     }
     return [
-        g.log_odds if isinstance(g, Jump) else math.log(odds[kind] / kinds.count(kind))
-        for g, kind in zip(groups, kinds, strict=True)
+        g.log_odds if isinstance(g, Jump) else math.log(odds[kind] * weight / whole[kind])
+        for g, kind, weight in zip(groups, kinds, weights, strict=True)
     ]
+
+
+def _is_product(group: Group) -> bool:
+    return isinstance(group, CandidateTerm) and bool(group.second)
 
 
 def _name_kind(group: Group) -> str:

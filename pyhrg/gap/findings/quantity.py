@@ -8,7 +8,7 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.linear_test import LinearTest, whiten_rows
 from pyhrg.gap.replay.observations import CHANNELS
-from pyhrg.gap.whitening.channel_noise import CampaignNoise
+from pyhrg.gap.whitening.campaign_noise import CampaignNoise
 
 TIME_SCALES = (1.0, 10.0, 100.0, 1000.0)
 """Times over which residuals are averaged, s."""

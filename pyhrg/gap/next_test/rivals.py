@@ -11,7 +11,7 @@ from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.equivalence.hidden_effects import find_hidden_effects
 from pyhrg.gap.evidence.evidence import Fit, find_equivalents
 from pyhrg.gap.evidence.hypothesis import Hypothesis
-from pyhrg.gap.whitening.channel_noise import CampaignNoise
+from pyhrg.gap.whitening.campaign_noise import CampaignNoise
 
 MAX_RIVALS = 4
 """Number of rivals that are considered beside the most probable hypothesis. Chosen."""

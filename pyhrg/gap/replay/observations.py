@@ -26,6 +26,8 @@ CHANNEL_WORDS = {
 }
 CHANNELS = tuple(CHANNEL_WORDS)
 """Fields of a log that are compared. The wave angle is not: the output angle follows from it."""
+MEAN_CHANNELS = (*FORCES, "frequency_offset")
+"""Channels of which a log has means over its rows; the others are taken at the rows' ends."""
 LOOP_COMMANDS = ("drive_on", "virtual_rotation", "amplitude_setpoint", "phase_offset")
 """Commands whose change puts the loops, and through them the pattern, into a transient."""
 COMMAND_COLUMNS = (
@@ -138,6 +140,15 @@ def add_reading_noise(
     by_channel["gyro_angle"] = angle
     levels = {n: v for n, v in by_channel.items() if v.any()}
     return replace(test, reading_noise=levels, encoder_step=noise.encoder_step)
+
+
+def see_angles(channel: str, angles: Array) -> Array:
+    """(n, ...) angles at the ends of the rows, as a channel sees them: a mean over a row is taken
+    at the mean angle of its ends (docs/methods/effects.md, Eq. 3)."""
+    if channel not in MEAN_CHANNELS:
+        return angles
+    begins = np.concatenate((angles[:1], angles[:-1]))
+    return np.where(np.isfinite(begins), (begins + angles) / 2, angles)
 
 
 def _find_transient_rows(log: Log, inputs: ReplayInputs, settling_time: float) -> Mask:

@@ -51,7 +51,7 @@ class NoiseModel:
     lagged: root density of white noise behind a first-order lag, unit sqrt(s). A temperature log's
         noise reaches a channel in this form, through the resonator's thermal lag.
     lag: time constant of that lag, s.
-    correlated: one more, exponentially correlated, term.
+    correlated: further, exponentially correlated, terms.
     reading_noise: (n,) standard deviations of further white noise of each reading.
     white_growth, walk_growth: (n,) factors of the white noise of each reading, and of the angle
         random walk up to it.
@@ -63,7 +63,7 @@ class NoiseModel:
     bias_instability: float = 0.0
     lagged: float = 0.0
     lag: float = 600.0
-    correlated: CorrelatedNoise | None = None
+    correlated: tuple[CorrelatedNoise, ...] = ()
     reading_noise: Array | None = field(default=None, compare=False)
     white_growth: Array | None = field(default=None, compare=False)
     walk_growth: Array | None = field(default=None, compare=False)
@@ -105,10 +105,10 @@ class NoiseModel:
         rates = np.array([0.0] + [1.0] * (len(lags) - 1))
         variance = compute_process_variance(self.bias_instability)
         densities = [self.lagged**2 / self.lag**2, *(2 * variance / t for t in lags[1:])]
-        if self.correlated:
-            lags.append(self.correlated.lag)
-            rates = np.append(rates, float(self.correlated.of_rate))
-            densities.append(2 * self.correlated.level**2 / self.correlated.lag)
+        for each in self.correlated:
+            lags.append(each.lag)
+            rates = np.append(rates, float(each.of_rate))
+            densities.append(2 * each.level**2 / each.lag)
         walks = np.array([self.angle_random_walk**2, self.rate_random_walk**2])
         return MarkovStates(np.array(lags), rates, np.array(densities), walks)
 

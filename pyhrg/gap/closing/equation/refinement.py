@@ -31,7 +31,7 @@ from pyhrg.gap.replay.simulation import (
     add_channels,
     replay_sampled_together,
 )
-from pyhrg.gap.whitening.channel_noise import CampaignNoise
+from pyhrg.gap.whitening.campaign_noise import CampaignNoise
 
 Sizes = Mapping[CandidateTerm, Array]
 """(d,) size of each term that can be written, in units of its columns."""

@@ -38,7 +38,7 @@ class UnnamedNoise:
 
     def add_to(self, noise: NoiseModel) -> NoiseModel:
         """Another noise with this one added."""
-        return replace(noise, correlated=self.correlated)
+        return replace(noise, correlated=(self.correlated,))
 
 
 @dataclass(frozen=True)
@@ -108,7 +108,7 @@ def _fit_lag(
 
     def gain(logarithm: float) -> float:
         correlated = CorrelatedNoise(math.exp(logarithm), lag, of_rate)
-        return likelihood(replace(base, correlated=correlated)) + base_log_prior
+        return likelihood(replace(base, correlated=(correlated,))) + base_log_prior
 
     level = fit_level(gain, scale)
     log_prior = level.log_prior(UNNAMED_ODDS / (len(RATE_LAGS) + len(ANGLE_LAGS)))

@@ -35,9 +35,9 @@ CURVATURE_STEP = 0.1
 def are_equal(noise: NoiseModel, other: NoiseModel) -> bool:
     """Whether two noises have the same parts at levels that differ by less than the tolerance."""
     pairs = [(getattr(noise, part), getattr(other, part)) for part in COEFFICIENT_NAMES]
-    if noise.correlated and other.correlated:
-        pairs.append((noise.correlated.level, other.correlated.level))
-    kinds = [n.correlated and n.correlated.kind for n in (noise, other)]
+    kinds = [[each.kind for each in n.correlated] for n in (noise, other)]
+    lasting = zip(noise.correlated, other.correlated, strict=False)
+    pairs += [(own.level, its.level) for own, its in lasting]
     return kinds[0] == kinds[1] and all(abs(a - b) <= LEVEL_TOLERANCE * max(a, b) for a, b in pairs)
 
 

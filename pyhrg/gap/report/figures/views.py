@@ -19,7 +19,7 @@ from pyhrg.common.units import (
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.coordinates import compute_coordinates
 from pyhrg.gap.replay.observations import ObservedTest
-from pyhrg.gap.whitening.channel_noise import CampaignNoise
+from pyhrg.gap.whitening.campaign_noise import CampaignNoise
 from pyhrg.gap.whitening.whitening import draw_noise
 
 DRAWS = 100

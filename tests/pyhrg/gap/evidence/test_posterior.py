@@ -145,7 +145,7 @@ def test_probabilities_are_those_of_all_hypotheses() -> None:
 
 @pytest.mark.parametrize("correlated", [CorrelatedNoise(0.1 * ARCSEC, 30.0, of_rate=False)])
 def test_an_unnamed_noise_stays_a_noise(correlated: CorrelatedNoise) -> None:
-    posterior = found(replace(build_angle_noise(BELIEVED), correlated=correlated))
+    posterior = found(replace(build_angle_noise(BELIEVED), correlated=(correlated,)))
     assert posterior.best.noise.unnamed is not None
     assert posterior.best.ranking.best.groups == ()
     assert posterior.unknown_probability > 0.9

@@ -1,13 +1,14 @@
 """Ranking of sets."""
 
 import numpy as np
+import pytest
 
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import DETERMINISTIC
 from pyhrg.gap.effects.design import Design
 from pyhrg.gap.evidence.evidence import Fit, fit
 from pyhrg.gap.evidence.extension import Extensions
-from pyhrg.gap.evidence.search import Ranking, rank_sets
+from pyhrg.gap.evidence.search import PRODUCT_WEIGHT, Ranking, rank_sets
 from tests.pyhrg.gap.made_up import design_of
 
 ROWS = 4000
@@ -116,3 +117,19 @@ def test_the_next_groups_are_those_that_explain_most_beside_a_set() -> None:
         }
         expected = sorted(explained, key=lambda i: -explained[i])
         assert extensions.list_best(key, 3) == expected[:3]
+
+
+def test_of_two_that_explain_as_much_the_simpler_is_more_probable() -> None:
+    generator = np.random.default_rng(5)
+    plain, product = (
+        CandidateTerm("gyro_angle", "acceleration", f"bias: acceleration y{times}")
+        for times in ("", ", times the temperature")
+    )
+    column = generator.standard_normal((ROWS, 1))
+    near = column + 1e-3 * generator.standard_normal((ROWS, 1))
+    residual = 0.5 * column[:, 0] + generator.standard_normal(ROWS)
+    ranking = rank_sets(design_of({product: near, plain: column}, residual))
+    assert ranking.best.groups == (plain,)
+    assert ranking.probability(product) == pytest.approx(
+        PRODUCT_WEIGHT / (1 + PRODUCT_WEIGHT), rel=0.2
+    )

@@ -8,6 +8,7 @@ import pytest
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.programme import Programme
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG, DEG_PER_H, STANDARD_GRAVITY, ZERO_CELSIUS
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import EFFECTS
@@ -220,24 +221,35 @@ def test_the_loop_response_to_a_step_and_a_ramp() -> None:
     np.testing.assert_allclose(compute_loop_error(time, w, 0.1), let, atol=1e-9)
 
 
-def test_forces_of_a_pattern_that_walked_far_away(simulation: Simulation) -> None:
-    """Half a degree away, the quadrature force depends on the angle to second order."""
+def compare_walked_force(simulation: Simulation, interval: float) -> tuple[Array, Array]:
+    """(m,) residuals of the quadrature force, to first order and in full, in rows of `interval`
+    seconds, of a pattern that walks half a degree away."""
     nominal = replace(QUIET, frequency_split=1e-3)
     walks = replace(nominal, bias_per_acceleration=20 * DEG_PER_H / STANDARD_GRAVITY)
-    test = observe_test(record_log(simulation, walks, programme().rest(400), angle=0.3), nominal)
+    log = record_log(simulation, walks, programme(interval).rest(400), angle=0.3)
+    test = observe_test(log, nominal)
     answers = simulation.simulate(nominal, test)
     part = linearize_test(simulation, nominal, nominal, test, answers, {})
+    name, rows = "quadrature_force", test.rows["quadrature_force"]
     turned, force = (
-        (getattr(test.log, name) - answers[name])[:, None]
-        for name in ("gyro_angle", "quadrature_force")
+        (getattr(test.log, n) - answers[n])[:, None] for n in ("gyro_angle", "quadrature_force")
     )
-    rows = test.rows["quadrature_force"]
-    first_order = part.at_measured_angle(force, turned, "quadrature_force")[rows]
-    second_order = part.at_measured_angle(
-        part.residual["quadrature_force"][:, None], turned, "quadrature_force"
-    )[rows]
+    in_full = part.residual[name][:, None]
+    first, full = (part.at_measured_angle(f, turned, name)[rows, 0] for f in (force, in_full))
+    return first, full
+
+
+def test_forces_of_a_pattern_that_walked_far_away(simulation: Simulation) -> None:
+    """The quadrature force depends on the angle to second order."""
+    first_order, second_order = compare_walked_force(simulation, 1.0)
     assert np.ptp(first_order) > 10 * REPLAY_RESOLUTION["quadrature_force"]
     assert np.ptp(second_order) < 0.1 * np.ptp(first_order)
+
+
+def test_means_over_rows_belong_to_the_mean_angle(simulation: Simulation) -> None:
+    """While the pattern walks, long rows show the same force as short ones."""
+    short, long = (np.mean(compare_walked_force(simulation, t)[1]) for t in (1.0, 10.0))
+    assert long == pytest.approx(short, abs=REPLAY_RESOLUTION["quadrature_force"])
 
 
 TURNS = {

@@ -31,7 +31,7 @@ def covariance(t: Array, noise: NoiseModel) -> Array:
     total += noise.rate_random_walk**2 * low**2 * (3 * high - low) / 6
     apart = np.exp(-(high - low) / noise.lag) - np.exp(-(high + low) / noise.lag)
     total += noise.lagged**2 / noise.lag / 2 * apart
-    if term := noise.correlated:
+    for term in noise.correlated:
         apart = np.exp(-(high - low) / term.lag) - np.exp(-(high + low) / term.lag)
         added = integrated_lag(t, term.lag, 1.0) if term.of_rate else apart
         total += term.level**2 * added
@@ -46,8 +46,14 @@ NOISES = [
     NoiseModel(0.3, angle_random_walk=0.2),
     NoiseModel(0.3, rate_random_walk=0.02),
     NoiseModel(0.3, bias_instability=0.1),
-    NoiseModel(0.3, correlated=CorrelatedNoise(0.1, 20.0, of_rate=True)),
-    NoiseModel(0.3, correlated=CorrelatedNoise(0.5, 20.0, of_rate=False)),
+    NoiseModel(0.3, correlated=(CorrelatedNoise(0.1, 20.0, of_rate=True),)),
+    NoiseModel(
+        0.3,
+        correlated=(
+            CorrelatedNoise(0.5, 20.0, of_rate=False),
+            CorrelatedNoise(0.2, 5.0, of_rate=False),
+        ),
+    ),
     NoiseModel(0.3, lagged=5.0, lag=40.0),
     NoiseModel(
         0.1,

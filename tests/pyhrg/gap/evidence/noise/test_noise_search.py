@@ -90,7 +90,7 @@ LASTING = [
 def test_a_noise_that_the_catalogue_lacks_is_unnamed(
     correlated: CorrelatedNoise, seed: int
 ) -> None:
-    found = fit_noise(records(replace(BELIEVED, correlated=correlated), seed))
+    found = fit_noise(records(replace(BELIEVED, correlated=(correlated,)), seed))
     assert found.added == ()
     assert found.unnamed is not None
     assert found.unnamed.correlated.of_rate == correlated.of_rate

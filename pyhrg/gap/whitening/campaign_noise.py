@@ -1,0 +1,108 @@
+"""Noise of all channels of a campaign: what it is in a test, and in its rows."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pyhrg.gap.replay.observations import Mask, ObservedTest
+from pyhrg.gap.replay.thermometer import SLOPE_TIME
+from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel
+
+THERMOMETER_CORRELATION = 3.0
+"""Correlation time of a coarse thermometer's rounding error, in thermal lags. Chosen."""
+
+
+@dataclass(frozen=True)
+class CampaignNoise:
+    """Noise of all channels in all tests of a campaign.
+
+    angle: of the output angle, rad.
+    white_noise: standard deviations of one row of the other channels, SI, by field and row
+        length, s.
+    temperature: standard deviation of one reading of a test's temperature log, K, by test.
+    reading_steps: quantization steps of these logs, K; 0 where they are finer than their noise.
+    per_kelvin: sensitivity of a channel to the resonator's temperature, SI/K.
+    thermal_lag: time constant from case to resonator, s.
+    thermometer_lag: of the thermometer behind the case, s.
+    bryan_factor: of the nominal device. Noise that turns a driven pattern is also a noise of the
+        amplitude while the drive is off.
+    """
+
+    angle: NoiseModel
+    white_noise: Mapping[str, Mapping[float, float]]
+    temperature: Mapping[str, float]
+    reading_steps: Mapping[str, float]
+    per_kelvin: Mapping[str, float]
+    thermal_lag: float
+    thermometer_lag: float
+    bryan_factor: float
+
+    def get_model(self, channel: str, test: ObservedTest, rows: Mask | None = None) -> NoiseModel:
+        """Noise of a channel in a test, or some rows (docs/methods/whitening.md, Eqs. 13-17b)."""
+        return adapt_to_rows(self.get_own_model(channel, test), channel, test, rows)
+
+    def get_own_model(self, channel: str, test: ObservedTest) -> NoiseModel:
+        """Noise of a channel that is the same in all rows of a test."""
+        if channel == "gyro_angle":
+            return self.angle
+        interval = test.log.interval
+        nearest = min(self.white_noise[channel], key=lambda known: abs(math.log(known / interval)))
+        white = self.white_noise[channel][nearest]
+        if channel in self.per_kelvin:
+            kelvin = self.temperature.get(test.test.id, max(self.temperature.values()))
+            density = self.per_kelvin[channel] * kelvin * np.sqrt(interval)
+            return NoiseModel(
+                white,
+                lagged=density,
+                lag=self.thermal_lag,
+                correlated=self._list_lasting(channel, test, density),
+            )
+        if channel == "amplitude" and not test.log.drive_on.all():
+            walk = 2 * self.bryan_factor * self.angle.angle_random_walk
+            return NoiseModel(white, angle_random_walk=walk)
+        return NoiseModel(white)
+
+    def _list_lasting(
+        self, channel: str, test: ObservedTest, density: float
+    ) -> tuple[CorrelatedNoise, ...]:
+        """What lasts for some readings of a thermometer with this root density of noise in a
+        channel, unit sqrt(s): its rounding (Eq. 16), and its noise in the slope that undoes its lag
+        (Eq. 15a)."""
+        lasting = []
+        if step := self.reading_steps.get(test.test.id, 0.0):
+            error = self.per_kelvin[channel] * self._lasting_error(step)
+            time = THERMOMETER_CORRELATION * self.thermal_lag
+            lasting.append(CorrelatedNoise(error, time, of_rate=False))
+        if self.thermometer_lag and np.ptp(test.inputs.temperatures):
+            time = max(SLOPE_TIME, test.log.interval)
+            share = self.thermometer_lag / self.thermal_lag
+            lasting.append(
+                CorrelatedNoise(density * share / math.sqrt(2 * time), time, of_rate=False)
+            )
+        return tuple(lasting)
+
+    def _lasting_error(self, step: float) -> float:
+        """Rounding error that lasts for many readings of a thermometer with this step, K (Eq. 16).
+        The noise before rounding is that of the quietest test: no test is sure to have more."""
+        if not step:
+            return 0.0
+        coarse = [self.temperature[name] for name, own in self.reading_steps.items() if own]
+        variance = max(min(coarse) ** 2 - step**2 / 12, 0.0)
+        return step / 2 * math.exp(-2 * math.pi**2 * variance / step**2)
+
+
+def adapt_to_rows(
+    noise: NoiseModel, channel: str, test: ObservedTest, rows: Mask | None = None
+) -> NoiseModel:
+    """A channel's noise in the rows of a test: with the readings' own noise, and grown where the
+    amplitude is small. The amplitude walks once the drive is off (Eqs. 13, 17 and 17a)."""
+    levels, growth = (
+        values if values is None or rows is None else values[rows]
+        for values in (test.reading_noise.get(channel), test.noise_growth.get(channel))
+    )
+    own = noise.add_reading_noise(levels)
+    if growth is None:
+        return own
+    return replace(own, walk_growth=growth, white_growth=None if channel == "amplitude" else growth)

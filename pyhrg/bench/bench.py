@@ -17,7 +17,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.device.device_file import nominal
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
-from pyhrg.fmu import CONTROL_PERIOD, Gyro, GyroFmu, record_together
+from pyhrg.fmu import CONTROL_PERIOD, Gyro, GyroFmu, can_record_together, record_together
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign, Test
 
@@ -36,8 +36,8 @@ MAX_TEST_ROWS = 2_000_000
 """Largest number of rows of a test's power-ons. Chosen: ten times those of the largest test; their
 logs take 0.3 GB."""
 TOGETHER = 4
-"""Largest number of power-ons that are simulated side by side. Chosen: as fast as more
-(`benchmarks/speed.py`), and an interruption loses no more."""
+"""Largest number of power-ons that are simulated side by side. Chosen: they take a core about as
+long as one of them (`benchmarks/speed.py`), and an interruption loses no more."""
 NAMELESS = "gyro without a name"
 """Name of a device that has none, in campaigns and reports."""
 
@@ -94,9 +94,9 @@ class Bench:
                 f"a plan of {len(power_ons)} power-ons with {rows} rows: expected at most "
                 f"{MAX_TEST_ROWS} rows"
             )
-        share = max(1, math.ceil(len(power_ons) / self.workers))
-        parts = [power_ons[first : first + share] for first in range(0, len(power_ons), share)]
-        groups = [group for part in parts for group in _group_alike(part)]
+        groups = list(_group_alike(power_ons))
+        if len(groups) < len(power_ons) and not can_record_together(self.fmu):
+            groups = [[power_on] for power_on in power_ons]
         logged = self.fmu.map(self._log_alike, groups, self.workers)
         return [test for tests in logged for test in tests]
 

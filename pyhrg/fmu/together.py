@@ -13,6 +13,7 @@ from fmu_build.binaries.platforms import PLATFORMS, find_host_platform
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
+from pyhrg.fmu.archive import Archive
 from pyhrg.fmu.gyro import CHUNK, Gyro
 from pyhrg.fmu.rows import Layout, Rows, arrange_rows
 
@@ -93,6 +94,11 @@ def load_lanes(folder: Path, width: int) -> Lanes | None:
 NARROW, WIDE = 4, 8
 """Numbers of lanes: a vector of AVX2 or two of NEON, and twice as many, of which each half computes
 while the other waits. `benchmarks/speed.py` compares them."""
+
+
+def can_record_together(archive: Archive) -> bool:
+    """Whether gyros of this FMU go together; the library for it is built if it isn't there."""
+    return load_lanes(archive.folder, NARROW) is not None
 
 
 def record_together(

@@ -52,12 +52,14 @@ class PowerOn:
         kind: kind of the test in the campaign.
         programme: what the bench does to the gyro, row by row.
         start_angle: pattern angle at power-on, rad; drawn from the device's scatter if None.
+        device: the gyro if it is another than the bench's, such as that gyro when it is older.
     """
 
     id: str
     kind: str
     programme: Programme
     start_angle: float | None = None
+    device: Device | None = None
 
 
 @dataclass(frozen=True)
@@ -153,17 +155,20 @@ class Bench:
         return compute_key(
             power_on.programme,
             **{"id": power_on.id, "seed": self.seed, "step": self.step},
-            **{"fmu": self.fmu.folder.name, "device": self.device},
+            **{"fmu": self.fmu.folder.name, "device": power_on.device or self.device},
             **{"start_angle": power_on.start_angle},
         )
 
     def _simulate(self, power_ons: Sequence[PowerOn]) -> list[Log]:
         commands = [{n: each.programme.values(n) for n in COMMANDS} for each in power_ons]
         held = [{name: each[name] for name in HELD_INPUTS} for each in commands]
-        moving = [self._moving_inputs(each.programme) for each in power_ons]
+        benches = [replace(self, device=each.device or self.device) for each in power_ons]
+        pairs = list(zip(benches, power_ons, strict=True))
+        moving = [bench._moving_inputs(each.programme) for bench, each in pairs]
         with ExitStack() as stack:
             gyros = [
-                stack.enter_context(self.power_on(each.id, each.start_angle)) for each in power_ons
+                stack.enter_context(bench.power_on(each.id, each.start_angle))
+                for bench, each in pairs
             ]
             recorded = record_rows_together(gyros, moving, held, self.step) if gyros else []
         logs = []

@@ -82,11 +82,11 @@ def make_programme(bench: Bench) -> Programme:
 
 def record(bench: Bench) -> list[Test]:
     """Tests at the beginning of each month."""
-    tests = []
-    for month in range(MONTHS):
-        older = replace(bench, device=age_device(bench.device, month * MONTH))
-        tests += older.run([PowerOn(f"annual_{month + 1:02d}", KIND, make_programme(older))])
-    return tests
+    course = make_programme(bench)
+    ages = [age_device(bench.device, month * MONTH) for month in range(MONTHS)]
+    return bench.run(
+        [PowerOn(f"annual_{n:02d}", KIND, course, device=older) for n, older in enumerate(ages, 1)]
+    )
 
 
 def evaluate(campaign: Campaign) -> Outcome:

@@ -99,39 +99,52 @@ def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
     if any(same[g] in groups for g in groups if isinstance(g, Effect) and g in same):
         return None
     groups = sorted(groups, key=lambda group: isinstance(group, CandidateTerm))
-    ends = list(accumulate(len(design.columns[group]) for group in groups))
-    parts = [slice(end - len(design.columns[g]), end) for g, end in zip(groups, ends, strict=True)]
-    where = design.list_columns(groups)
-    if not design.norms[where].all():
+    columns = [design.columns[group] for group in groups]
+    sizes = [len(own) for own in columns]
+    where = np.concatenate(columns)
+    norms = design.norms[where]
+    if not norms.all():
         return None
     gram = design.gram[where[:, None], where]
     factor, failed = dpotrf(gram)
     diagonal = factor.diagonal()
-    if failed or any(
-        (diagonal[part] ** 2).min() < min_free_variance(group)
-        for group, part in zip(groups, parts, strict=True)
-    ):
+    limits = np.repeat([min_free_variance(group) for group in groups], sizes)
+    if failed or (diagonal**2 < limits).any():
         return None
     projection = design.projection[where]
     unit = dpotrs(factor, projection)[0]
     explained = float(projection @ unit)
     log_evidence = explained / 2 - float(np.log(diagonal).sum())
-    scale = 1 / design.norms[where]
+    scale = 1 / norms
     values = unit * scale
-    for group, part in zip(groups, parts, strict=True):
-        length = math.sqrt(float(unit[part] @ gram[part, part] @ unit[part]))
-        log_evidence += _log_prior(design, group, length, values[part])
-    covariance = dpotrs(factor, np.eye(len(where)))[0] * np.outer(scale, scale)
+    parts = [slice(end - size, end) for end, size in zip(accumulate(sizes), sizes, strict=True)]
+    sigmas, lengths = norms.tolist(), _measure_lengths(gram, unit, parts)
+    for group, part, length in zip(groups, parts, lengths, strict=True):
+        log_evidence += _log_prior(design, group, length, values[part], sigmas[part])
+    covariance = dpotrs(factor, np.eye(len(where)))[0] * (scale[:, None] * scale)
     return Fit(
         tuple(groups),
         log_evidence,
         explained,
-        tuple(values[part] for part in parts),
-        tuple(covariance[part, part] for part in parts),
+        tuple([values[part] for part in parts]),
+        tuple([covariance[part, part] for part in parts]),
     )
 
 
-def _log_prior(design: Design, group: Group, length: float, values: Array) -> float:
+def _measure_lengths(gram: Array, unit: Array, parts: Sequence[slice]) -> list[float]:
+    """Length of each group's part of a vector, in sigma."""
+    numbers, own = unit.tolist(), gram.diagonal().tolist()
+    return [
+        math.sqrt(numbers[part.start] * own[part.start] * numbers[part.start])
+        if part.stop - part.start == 1
+        else math.sqrt(float(unit[part] @ gram[part, part] @ unit[part]))
+        for part in parts
+    ]
+
+
+def _log_prior(
+    design: Design, group: Group, length: float, values: Array, norms: Sequence[float]
+) -> float:
     """What the prior of a group's size adds to the log evidence, at a size of this length in sigma
     (Eqs. (4), (4a))."""
     size = len(values)
@@ -139,7 +152,7 @@ def _log_prior(design: Design, group: Group, length: float, values: Array) -> fl
     if not isinstance(group, Effect) or not length:
         return log_density + design.log_volumes[group]
     magnitude = math.hypot(*values)
-    log_norms = sum(map(math.log, design.norms[design.columns[group]]))
+    log_norms = sum(map(math.log, norms))
     log_density += size * math.log(length / magnitude) - log_norms
     return log_density - math.log1p(magnitude / group.scale if group.family == "gyro" else length)
 

@@ -20,7 +20,7 @@ from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS
 from pyhrg.gap.evidence.form_error import rank_with_forms
 from pyhrg.gap.evidence.hypothesis import Hypothesis, sigma_along
-from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis, NoiseKind
+from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
 from pyhrg.gap.evidence.noise.noise_search import fit_rival_noises
 from pyhrg.gap.evidence.residuals import Removed, compute_residuals, distinct_by_groups
@@ -127,11 +127,10 @@ def compare_noises(
     Noise is fitted to three residuals of the most probable hypothesis: with all its effects and
     terms removed, with its effects alone removed, and with nothing removed. Sets of effects are
     ranked again under each noise. The most probable hypothesis of each kind of noise is kept. This
-    is repeated until the most probable hypothesis gives no new residual: under another noise the
-    same effects have other sizes.
+    is repeated until the most probable hypothesis gives no new residual.
     """
     best, stated = first, build_angle_noise(nominal)
-    by_kind, tried = {first.noise.kind: first}, set[tuple[NoiseKind, tuple[Group, ...]]]()
+    by_kind, tried = {first.noise.kind: first}, set[tuple[Group, ...]]()
 
     def fit_noises(removed: Removed) -> list[NoiseHypothesis]:
         """The noise of this residual, the same without each of its noises, and beside a noise
@@ -147,11 +146,10 @@ def compare_noises(
         is_evident = best.ranking.best.explained >= EVIDENT_CHI2
         nothing = [] if is_evident else [best.known.estimate({})]
         choices = distinct_by_groups(best.sizes, best.effect_sizes, *nothing)
-        keys = [(best.noise.kind, tuple(removed)) for removed in choices]
-        due = [removed for removed, key in zip(choices, keys, strict=True) if key not in tried]
+        due = [removed for removed in choices if tuple(removed) not in tried]
         if not due:
             break
-        tried.update(keys)
+        tried.update(tuple(removed) for removed in due)
         for noise in [noise for removed in due for noise in fit_noises(removed)]:
             known = by_kind.get(noise.kind)
             if known is None or not are_equal(known.noise.noise, noise.noise):

@@ -20,10 +20,6 @@ RATE_SCALE, ANGLE_SCALE = 0.1 * DEG_PER_H, 0.1 * ARCSEC
 """Typical levels, the centres of the priors. Chosen; the priors span six decades."""
 
 
-NoiseKind = tuple[frozenset[str], tuple[float, bool] | None]
-"""Names of the noises that take part, and what the unnamed one is but for its level."""
-
-
 @dataclass(frozen=True)
 class UnnamedNoise:
     """A correlated noise that the catalogue lacks.
@@ -80,7 +76,7 @@ class NoiseHypothesis:
     unnamed: UnnamedNoise | None = None
 
     @property
-    def kind(self) -> NoiseKind:
+    def kind(self) -> tuple[frozenset[str], tuple[float, bool] | None]:
         """Which noises take part, whatever their levels."""
         correlated = self.unnamed.correlated.kind if self.unnamed else None
         return frozenset(a.effect.name for a in self.added), correlated

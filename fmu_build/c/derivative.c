@@ -67,7 +67,7 @@ static int are_legal(Instance *instance, const unsigned *unknowns, size_t nu, co
   return 1;
 }
 
-static int are_finite(Instance *instance, const double *sensitivity, size_t n) {
+static int are_sensitivities_finite(Instance *instance, const double *sensitivity, size_t n) {
   for (size_t i = 0; i < n; i++)
     if (!isfinite(sensitivity[i]))
       return instance_refuse(instance, "derivative %lu does not exist at the present values",
@@ -86,7 +86,7 @@ int derivative_directional(Instance *instance, const unsigned *unknowns, size_t 
       stretch(instance, knowns[k] + e, &stencil);
       for (size_t i = 0; i < nu; i++) sensitivity[i] += partial(&stencil, unknowns[i]) * seed[s];
     }
-  return are_finite(instance, sensitivity, nu);
+  return are_sensitivities_finite(instance, sensitivity, nu);
 }
 
 int derivative_adjoint(Instance *instance, const unsigned *unknowns, size_t nu,
@@ -100,5 +100,5 @@ int derivative_adjoint(Instance *instance, const unsigned *unknowns, size_t nu,
       sensitivity[s] = 0.0;
       for (size_t i = 0; i < nu; i++) sensitivity[s] += partial(&stencil, unknowns[i]) * seed[i];
     }
-  return are_finite(instance, sensitivity, s);
+  return are_sensitivities_finite(instance, sensitivity, s);
 }

@@ -9,7 +9,7 @@
 const char *const log_categories[LOG_CATEGORIES] = {"logStatusError", "logStatusDiscard",
                                                    "logEvents"};
 
-static void tell(const Instance *instance, Category category, const char *message) {
+static void pass_on(const Instance *instance, Category category, const char *message) {
   const Listener *listener = &instance->listener;
   if (instance->logged[category] && listener->logger)
     listener->tell(listener, instance->name, category, message);
@@ -19,7 +19,7 @@ static void complain(const Instance *instance, Category category, const char *fo
                      va_list arguments) {
   char text[512];
   vsnprintf(text, sizeof text, format, arguments);
-  tell(instance, category, text);
+  pass_on(instance, category, text);
 }
 
 int instance_refuse(Instance *instance, const char *format, ...) {
@@ -43,7 +43,7 @@ void instance_note(Instance *instance, const char *event) {
   char text[128];
   if (!instance->logged[LOG_EVENT]) return;
   snprintf(text, sizeof text, "%s at %s s", event, NUMBER(instance->now.time));
-  tell(instance, LOG_EVENT, text);
+  pass_on(instance, LOG_EVENT, text);
 }
 
 int instance_log(Instance *instance, int on, size_t n, const char *const *categories) {

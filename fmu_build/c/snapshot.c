@@ -22,7 +22,7 @@ typedef struct {
   double angle, slopes[MODEL_INPUTS + 1];
 } Record;
 
-static int are_given(Instance *instance, const void *one, const void *other) {
+static int are_snapshots_given(Instance *instance, const void *one, const void *other) {
   return (one && other) || instance_refuse(instance, "a null pointer in place of a state");
 }
 
@@ -120,7 +120,7 @@ static Situation *room(Instance *instance, void **snapshot) {
 
 int snapshot_save(Instance *instance, void **snapshot) {
   if (!instance_may(instance, SAVED_IN, "saving the state") ||
-      !are_given(instance, snapshot, snapshot))
+      !are_snapshots_given(instance, snapshot, snapshot))
     return 0;
   if (!model_is_finite(instance->now.core.v))
     return instance_refuse(instance, "a state that is not finite can't be saved");
@@ -132,7 +132,7 @@ int snapshot_save(Instance *instance, void **snapshot) {
 
 int snapshot_restore(Instance *instance, const void *snapshot) {
   if (!instance_may(instance, OUTSIDE_A_STEP, "restoring a state") ||
-      !are_given(instance, snapshot, snapshot))
+      !are_snapshots_given(instance, snapshot, snapshot))
     return 0;
   instance->now = *(const Situation *)snapshot;
   instance_touch(instance);
@@ -151,7 +151,7 @@ int snapshot_free(Instance *instance, void **snapshot) {
 
 int snapshot_size(Instance *instance, const void *snapshot, size_t *size) {
   if (!instance_may(instance, OUTSIDE_A_STEP, "serializing a state") ||
-      !are_given(instance, snapshot, size))
+      !are_snapshots_given(instance, snapshot, size))
     return 0;
   *size = sizeof(Record);
   return 1;
@@ -159,7 +159,7 @@ int snapshot_size(Instance *instance, const void *snapshot, size_t *size) {
 
 int snapshot_serialize(Instance *instance, const void *snapshot, void *bytes, size_t size) {
   if (!instance_may(instance, OUTSIDE_A_STEP, "serializing a state") ||
-      !are_given(instance, snapshot, bytes))
+      !are_snapshots_given(instance, snapshot, bytes))
     return 0;
   if (size < sizeof(Record))
     return instance_refuse(instance, "%lu bytes are too few for a state, which takes %lu",
@@ -172,7 +172,7 @@ int snapshot_serialize(Instance *instance, const void *snapshot, void *bytes, si
 
 int snapshot_deserialize(Instance *instance, const void *bytes, size_t size, void **snapshot) {
   if (!instance_may(instance, OUTSIDE_A_STEP, "restoring a state") ||
-      !are_given(instance, bytes, snapshot))
+      !are_snapshots_given(instance, bytes, snapshot))
     return 0;
   if (size != sizeof(Record))
     return instance_refuse(instance, "%lu bytes are no state of this model, which takes %lu",

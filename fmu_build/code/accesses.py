@@ -57,11 +57,16 @@ def _is_overwritten(dae: Dae, function: Function, fill: Json, later: Iterable[Js
     size, is_output = function.values[target].size, target == 0
     if size is None:
         return False
-    first: dict[int, bool] = {}
+    written: set[int] = set()
     for access in trace_accesses(dae, function, later):
-        if not access.is_input and access.ordinal == target:
-            first.setdefault(access.element, access.is_write)
-    return all(first.get(element, not is_output) for element in range(size))
+        if access.is_input or access.ordinal != target or access.element in written:
+            continue
+        if not access.is_write:
+            return False
+        written.add(access.element)
+        if len(written) == size:
+            return True
+    return not is_output
 
 
 def can_replace(dae: Dae, function: Function, ordinal: int) -> bool:

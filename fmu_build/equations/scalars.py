@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import groupby
 
 from fmu_build.equations.dae import Dae, Variable
@@ -48,15 +49,21 @@ class Scalar:
         return len(self.elements)
 
 
-def list_variables(dae: Dae, fmi: int) -> list[Scalar]:
+@lru_cache(maxsize=2)
+def list_variables(dae: Dae, fmi: int) -> tuple[Scalar, ...]:
     """All variables of a model in a version of the standard, in the order of their value
     references. In FMI 3, parameters that are vectors, and each map, are arrays."""
     listed = list_scalars(dae)
-    return list(listed if fmi == 2 else _join_arrays(listed))
+    return listed if fmi == 2 else tuple(_join_arrays(listed))
 
 
-def list_scalars(dae: Dae) -> Iterator[Scalar]:
+@lru_cache(maxsize=1)
+def list_scalars(dae: Dae) -> tuple[Scalar, ...]:
     """All scalars of a model, in the order of their value references."""
+    return tuple(_scalars(dae))
+
+
+def _scalars(dae: Dae) -> Iterator[Scalar]:
     types = read_types(variable.file for variable in dae.variables)
     tunable = _list_tunable(dae)
     for index, variable in enumerate(dae.variables):

@@ -5,7 +5,10 @@ import shutil
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
+from functools import cache, lru_cache
+from itertools import count
 from pathlib import Path
+from typing import Any
 
 import fmpy
 import pymoca.ast
@@ -20,14 +23,16 @@ from fmu_build.binaries.platforms import (
     find_host_platform,
 )
 from fmu_build.bundle import SHELLS, SOURCES, digest_sources, find_modelica_library, write_sources
-from fmu_build.equations.translate import translate
+from fmu_build.equations.translate import open_session, translate
 from fmu_build.roots import ROOTS, Root
 from pyhrg.common.caches.files import find_cache_folder
 from pyhrg.common.files import make_aside
 
 IDENTIFIER = "Model"
-SHORT = 60.0
-"""Stop time up to which a model is compiled longer than it runs, s."""
+UNIT = "unit.c"
+"""Includes all C sources: one call of the compiler reads the headers once."""
+LONGEST_UNOPTIMIZED = {"runge_kutta_4": 150.0, "midpoint": 1500.0}
+"""Stop time, by integrator, up to which optimizing a model takes longer than it saves, s."""
 
 
 @dataclass(frozen=True)
@@ -156,7 +161,7 @@ def built(model: Model) -> Iterator[ModelFmu]:
 
 def _fetch(model: Model) -> Path:
     """Folder of an extracted FMU in the user's cache, made of the present sources."""
-    made_of = f"{digest_sources()} {find_compiler_version()} {model} {Path(__file__).read_text()}"
+    made_of = f"{_digest_sources()} {find_compiler_version()} {model} {Path(__file__).read_text()}"
     digest = hashlib.sha256(made_of.encode()).hexdigest()[:16]
     folder = find_cache_folder() / "models" / f"{model.name}-{digest}"
     if folder.exists():
@@ -171,14 +176,28 @@ def _fetch(model: Model) -> Path:
     return folder
 
 
+_digest_sources = cache(digest_sources)
+_number = count()
+
+
+@lru_cache(maxsize=1)
+def _share_session(group: int) -> Any:
+    """A session of the Modelica compiler for a group of models. It keeps 15 MB for each."""
+    return open_session()
+
+
 def _write(model: Model, folder: Path) -> None:
     """An FMU, extracted."""
     platform = PLATFORMS[find_host_platform()]
     root = Root(IDENTIFIER, model.name, model.name, model.integrator, "0.01")
-    dae = translate(find_modelica_library(), model.name, "" if model.is_own else model.text)
+    text = "" if model.is_own else model.text
+    dae = translate(
+        find_modelica_library(), model.name, text, session=_share_session(next(_number) // 8)
+    )
     description = write_sources(dae, folder, 2, root)
-    flags = [*FLAGS, "-O0"] if model.stop_time <= SHORT else FLAGS
-    library = compile_library(folder, [*SOURCES, SHELLS[2]], IDENTIFIER, platform, flags)
+    flags = [*FLAGS, "-O0"] if model.stop_time <= LONGEST_UNOPTIMIZED[model.integrator] else FLAGS
+    (folder / UNIT).write_text("".join(f'#include "{file}"\n' for file in (*SOURCES, SHELLS[2])))
+    library = compile_library(folder, [UNIT], IDENTIFIER, platform, flags)
     (folder / "modelDescription.xml").write_text(description)
     binaries = folder / "binaries" / str(platform.fmi2_folder)
     binaries.mkdir(parents=True)

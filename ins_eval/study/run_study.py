@@ -1,24 +1,26 @@
-"""The front door of the study: run one, and read its result."""
+"""The front door of the study: run one, and read its result. What takes seconds to import is
+imported where it is needed."""
+
+from __future__ import annotations
 
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pandas as pd
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
-from ins_eval.study import experiment
-from ins_eval.study.conclusion import list_files, write_conclusion
 from ins_eval.study.run.run import Cluster, Experiment, Progress, run_experiment
 from ins_eval.study.specification import Study
 from ins_eval.study.study_data import StudyData, read_study_data
 from ins_eval.study.study_file import load_study
-from ins_eval.study.summary.figure import draw_scatter
 from ins_eval.study.summary.text import state_verdict, summarize
 from ins_eval.study.tables.columns import COLUMNS
 from pyhrg.common.arguments import check_seed
 from pyhrg.common.errors import HrgError, describe_briefly
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
 @dataclass(frozen=True)
@@ -78,6 +80,10 @@ class StudyResult:
         Raises:
             HrgError: the study has no such calibration.
         """
+        from matplotlib.figure import Figure
+
+        from ins_eval.study.summary.figure import draw_scatter
+
         known = self._data.calibrations
         chosen = calibration or known[0]
         if chosen not in known:
@@ -126,6 +132,9 @@ def run_study(
 
 
 def make_experiment(study: Study) -> Experiment:
+    from ins_eval.study import experiment
+    from ins_eval.study.conclusion import list_files, write_conclusion
+
     return Experiment(
         compute=experiment.compute_block,
         conclude=write_conclusion,

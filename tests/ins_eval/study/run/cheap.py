@@ -1,6 +1,7 @@
 """`hrg` with a cheap experiment in place of the study's own, each of whose blocks asks for leave.
 
-Run as a module, in a process of its own, so that it can be killed.
+Run as a module, in a process of its own, so that it can be killed. Workers import it too: what the
+command alone needs, and takes seconds to import, is imported there.
 """
 
 import json
@@ -11,9 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ins_eval.study import run_study
 from ins_eval.study.run.block import Arrays, count_block_triads
-from ins_eval.study.run.folder import StudyFolder
 from ins_eval.study.run.run import Experiment
 from ins_eval.study.specification import Study
 
@@ -53,12 +52,16 @@ CHEAP = Experiment(made, conclude, ("triads.txt", "draws.json"))
 
 def install() -> None:
     """Put the cheap experiment, which has no verdict, in the place of the study's."""
+    from ins_eval.study import run_study
+
     run_study.make_experiment = lambda study: CHEAP
     run_study.StudyResult.verdict = "cheap"  # type: ignore[method-assign,assignment]
 
 
 def announcing() -> None:
     """Say on stdout which block is kept, once it is."""
+    from ins_eval.study.run.folder import StudyFolder
+
     keep = StudyFolder.keep
 
     def announced(folder: StudyFolder, number: int, file: bytes) -> None:

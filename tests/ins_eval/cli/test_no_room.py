@@ -1,16 +1,16 @@
-"""A disk that is full, fills up or is read-only, with real processes: one line, nothing
+"""A disk that is full, fills up or is read-only, with real workers: one line, nothing
 half-written, and the same command succeeds when there is room."""
 
 import os
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
-from subprocess import DEVNULL, PIPE
 
 import pytest
 
-from tests.commands import start
+from tests.commands import run_here
 
+Run = Callable[[str], tuple[int, str]]
 COMMANDS = ("bench", "validate", "study", "study challenge", "gap challenge")
 DISK_BYTES = 1 << 26
 ROOM = 1 << 17
@@ -42,12 +42,16 @@ def fill(disk: Path, room: int = 0) -> Path:
     return filler
 
 
-def run(command: str, disk: Path) -> tuple[int, str]:
-    """Status and standard error of a command that writes onto the disk."""
-    started = start(command, disk / "out", disk.parent, stdout=DEVNULL, stderr=PIPE)
-    with started:
-        errors = started.communicate(timeout=300)[1]
-    return started.returncode, errors
+@pytest.fixture
+def run(disk: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> Run:
+    """Gives status and standard error of a command that writes onto the disk."""
+
+    def run_command(command: str) -> tuple[int, str]:
+        capfd.readouterr()
+        status = run_here(command, disk / "out", disk.parent, monkeypatch)
+        return status, capfd.readouterr().err
+
+    return run_command
 
 
 def list_files(disk: Path) -> list[str]:
@@ -61,25 +65,25 @@ def check_refusal(status: int, errors: str) -> None:
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_a_full_disk(command: str, disk: Path) -> None:
+def test_a_full_disk(command: str, disk: Path, run: Run) -> None:
     filler = fill(disk)
-    check_refusal(*run(command, disk))
+    check_refusal(*run(command))
     assert list_files(disk) == [filler.name]
 
 
 @pytest.mark.parametrize("command", ["bench", "study"])
-def test_a_disk_that_fills_midway(command: str, disk: Path) -> None:
+def test_a_disk_that_fills_midway(command: str, disk: Path, run: Run) -> None:
     """What is whole may stay. The same command goes on when there is room. `validate` and
     `study challenge` write as `study` does."""
     filler = fill(disk, ROOM)
-    check_refusal(*run(command, disk))
+    check_refusal(*run(command))
     assert not list(disk.rglob(".*"))
     filler.unlink()
-    status, errors = run(command, disk)
+    status, errors = run(command)
     assert status == 0, errors
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_a_read_only_disk(command: str, disk: Path) -> None:
+def test_a_read_only_disk(command: str, disk: Path, run: Run) -> None:
     mount("-o", "remount,ro", str(disk))
-    assert run(command, disk) == (2, f"hrg: {disk}: it can't be written\n")
+    assert run(command) == (2, f"hrg: {disk}: it can't be written\n")

@@ -1,6 +1,7 @@
 """`hrg study`: which bench figure predicts the navigator's error?"""
 
 import argparse
+from collections.abc import Sequence
 from pathlib import Path
 
 import ins_eval
@@ -56,8 +57,13 @@ def run(options: argparse.Namespace) -> None:
             **collect_given(options, ("workers", "scheduler")),
         )
     print(result.verdict)
-    print(f"\nwritten to {options.out}: {', '.join(result.files)}")
-    print(f"to read, open {options.out / 'report.html'} in a browser")
+    tell_files(options.out, result.files)
+
+
+def tell_files(out: Path, files: Sequence[str]) -> None:
+    """Print what a study has written into a folder, and what to open."""
+    print(f"\nwritten to {out}: {', '.join(files)}")
+    print(f"to read, open {out / 'report.html'} in a browser")
 
 
 def _run_challenge(options: argparse.Namespace) -> None:

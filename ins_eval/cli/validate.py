@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 
 import ins_eval
-from ins_eval.cli.study import add_cluster_options
+from ins_eval.cli.study import add_cluster_options, tell_files
 from pyhrg.common.cli import collect_given
 from pyhrg.common.files import check_output_folder
 from pyhrg.common.progress import Progress
@@ -33,5 +33,4 @@ def run(options: argparse.Namespace) -> None:
             options.out, progress=progress.update, **collect_given(options, OPTIONS)
         )
     print(result.summary)
-    print(f"\nwritten to {options.out}: {', '.join(result.files)}")
-    print(f"to read, open {options.out / 'report.html'} in a browser")
+    tell_files(options.out, result.files)

@@ -9,8 +9,7 @@ from pyhrg.gap.closing.closing import Closing, Residuals
 from pyhrg.gap.effects.linear_test import shape_origin
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.simulation import Simulation
-from pyhrg.gap.whitening.campaign_noise import CampaignNoise
-from pyhrg.gap.whitening.channel_noise import whiten_finite
+from pyhrg.gap.whitening.campaign_noise import CampaignNoise, whiten_finite
 
 SIGNIFICANT_SIGMA = 5.0
 """Origin, in its standard deviation, from which it counts as wrong. Chosen."""

@@ -17,8 +17,7 @@ from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.findings.term import Term
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.simulation import Simulation, replay_sampled_together
-from pyhrg.gap.whitening.campaign_noise import CampaignNoise
-from pyhrg.gap.whitening.channel_noise import whiten_finite
+from pyhrg.gap.whitening.campaign_noise import CampaignNoise, whiten_finite
 
 UPPER_QUANTILE = 0.975
 """Quantile of the noise floor above which a residual has an excess: that of a 95 % interval."""

@@ -10,8 +10,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_H
 from pyhrg.gap.findings.diagnosis import Gap, GapFigure
 from pyhrg.gap.replay.observations import ObservedTest
-from pyhrg.gap.whitening.campaign_noise import adapt_to_rows
-from pyhrg.gap.whitening.channel_noise import whiten_finite
+from pyhrg.gap.whitening.campaign_noise import adapt_to_rows, whiten_finite
 from pyhrg.gap.whitening.whitening import NoiseModel, draw_noise
 
 SEED = 1

@@ -162,9 +162,8 @@ def list_prior_log_odds(groups: Sequence[Group]) -> list[float]:
     """Prior log odds that each group takes part (Eq. (6))."""
     kinds = [_name_kind(group) for group in groups]
     weights = [PRODUCT_WEIGHT if _is_product(group) else 1.0 for group in groups]
-    whole = dict.fromkeys(kinds, 0.0)
-    for kind, weight in zip(kinds, weights, strict=True):
-        whole[kind] += weight
+    pairs = list(zip(kinds, weights, strict=True))
+    whole = {kind: sum(weight for own, weight in pairs if own == kind) for kind in set(kinds)}
     odds = {
         "effect": EFFECT_ODDS,
         "known": BEYOND_ODDS,
@@ -172,7 +171,7 @@ def list_prior_log_odds(groups: Sequence[Group]) -> list[float]:
     }
     return [
         g.log_odds if isinstance(g, Jump) else math.log(odds[kind] * weight / whole[kind])
-        for g, kind, weight in zip(groups, kinds, weights, strict=True)
+        for g, (kind, weight) in zip(groups, pairs, strict=True)
     ]
 
 

@@ -6,9 +6,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from pyhrg.common.arrays import Array
 from pyhrg.gap.replay.observations import Mask, ObservedTest
 from pyhrg.gap.replay.thermometer import SLOPE_TIME
-from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel
+from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel, whiten
 
 THERMOMETER_CORRELATION = 3.0
 """Correlation time of a coarse thermometer's rounding error, in thermal lags. Chosen."""
@@ -86,8 +87,6 @@ class CampaignNoise:
     def _lasting_error(self, step: float) -> float:
         """Rounding error that lasts for many readings of a thermometer with this step, K (Eq. 16).
         The noise before rounding is that of the quietest test: no test is sure to have more."""
-        if not step:
-            return 0.0
         coarse = [self.temperature[name] for name, own in self.reading_steps.items() if own]
         variance = max(min(coarse) ** 2 - step**2 / 12, 0.0)
         return step / 2 * math.exp(-2 * math.pi**2 * variance / step**2)
@@ -106,3 +105,11 @@ def adapt_to_rows(
     if growth is None:
         return own
     return replace(own, walk_growth=growth, white_growth=None if channel == "amplitude" else growth)
+
+
+def whiten_finite(noise: NoiseModel, channel: str, test: ObservedTest, series: Array) -> Array:
+    """(m, p) rows of (n, p) series of a channel in a test, whitened with its noise before it is
+    adapted to rows; NaN in the first column is left out."""
+    rows = np.isfinite(series[:, 0])
+    steps = np.diff(test.log.time[rows], prepend=0.0)
+    return whiten(series[rows], steps, adapt_to_rows(noise, channel, test, rows)).series

@@ -13,8 +13,8 @@ from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.reading_noise import MIN_DIFFERENCES, OUTLIER_SIGMA
 from pyhrg.gap.replay.replay import list_measured_temperatures
 from pyhrg.gap.replay.thermometer import estimate_reading_steps
-from pyhrg.gap.whitening.campaign_noise import CampaignNoise, adapt_to_rows
-from pyhrg.gap.whitening.whitening import NoiseModel, whiten
+from pyhrg.gap.whitening.campaign_noise import CampaignNoise
+from pyhrg.gap.whitening.whitening import NoiseModel
 
 REPLAY_RESOLUTION = {
     "amplitude": 2e-8,
@@ -33,14 +33,6 @@ sqrt(6). Derived: 1, -3, 3, -1 correlated with itself."""
 MIN_ANGLE_NOISE = 1e-10
 """White noise of an output angle for which none is stated, rad: the rounding of a log with eight
 decimals of a degree."""
-
-
-def whiten_finite(noise: NoiseModel, channel: str, test: ObservedTest, series: Array) -> Array:
-    """(m, p) rows of (n, p) series of a channel in a test, whitened with its noise before it is
-    adapted to rows; NaN in the first column is left out."""
-    rows = np.isfinite(series[:, 0])
-    steps = np.diff(test.log.time[rows], prepend=0.0)
-    return whiten(series[rows], steps, adapt_to_rows(noise, channel, test, rows)).series
 
 
 def estimate_campaign_noise(

@@ -16,7 +16,7 @@ from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records import Log, campaign
 from tests.pyhrg.gap.closing.equation.planted import record_planted
 from tests.pyhrg.gap.soundness.conftest import NOMINAL
-from tests.pyhrg.gap.soundness.spoil import change_logs
+from tests.pyhrg.gap.soundness.spoil import change_logs, take_kinds
 
 KINDS = ("positions", "rate", "manoeuvre")
 """Tests that turn the table."""
@@ -36,8 +36,7 @@ def test_ripple_and_backlash_are_told_apart(
         return replace(log, table_angle=apply_play(turned, BACKLASH)[1:])
 
     whole = campaign.read_campaign(recorded_campaign.parent / "lab-04")
-    turned = tuple(test for test in whole.tests if test.kind in SLOW_KINDS)
-    given = change_logs(replace(whole, tests=turned), misread)
+    given = change_logs(take_kinds(whole, *SLOW_KINDS), misread)
     found = diagnose(given, simulation=simulation).diagnosis
     assert found.verdict == "unexplained"
     (cause,) = found.causes
@@ -57,8 +56,7 @@ def test_steps_of_the_encoder_make_no_gap(simulation: Simulation, recorded_campa
         return replace(log, table_angle=STEP * np.round(log.table_angle / STEP))
 
     whole = campaign.read_campaign(recorded_campaign.parent / "lab-04")
-    turned = tuple(test for test in whole.tests if test.kind in KINDS)
-    given = change_logs(replace(whole, tests=turned), show)
+    given = change_logs(take_kinds(whole, *KINDS), show)
     found = diagnose(given, simulation=simulation).diagnosis
     assert found.verdict == "no_gap"
     assert not found.terms

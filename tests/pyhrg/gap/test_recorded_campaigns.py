@@ -14,7 +14,7 @@ from pyhrg.gap.diagnose import diagnose
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records import Log, campaign
 from pyhrg.records.campaign import Campaign
-from tests.pyhrg.gap.soundness.spoil import added, change_logs
+from tests.pyhrg.gap.soundness.spoil import added, change_logs, take_kinds
 
 WIDER = 1.3
 """Half width over that of 95 %: six parameters, of which one in twenty lies outside."""
@@ -79,7 +79,7 @@ def test_a_noisy_encoder_makes_no_gap(simulation: Simulation, recorded_campaign:
 
 def test_a_step_of_the_angle_is_told(simulation: Simulation, recorded_campaign: Path) -> None:
     whole = campaign.read_campaign(recorded_campaign.parent / "dev-06")
-    given = of_kinds(whole, "positions", "manoeuvre")
+    given = take_kinds(whole, "positions", "manoeuvre")
     found = diagnose(stepped(given, "positions_8n", 900, ARCSEC), simulation=simulation).diagnosis
     assert found.verdict == "unexplained"
     assert found.causes == ()
@@ -93,10 +93,6 @@ SPARKS = (
     ("amplitude_sweep", "amplitude", 1e-3),
 )
 """One reading each, in the middle of a test, SI."""
-
-
-def of_kinds(given: Campaign, *kinds: str) -> Campaign:
-    return replace(given, tests=tuple(test for test in given.tests if test.kind in kinds))
 
 
 def noisy(log: Log, generator: np.random.Generator) -> Log:

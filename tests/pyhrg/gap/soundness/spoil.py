@@ -22,6 +22,10 @@ def change_logs(campaign: Campaign, change: Change, *ids: str) -> Campaign:
     return replace(campaign, tests=tuple(tests))
 
 
+def take_kinds(campaign: Campaign, *kinds: str) -> Campaign:
+    return replace(campaign, tests=tuple(t for t in campaign.tests if t.kind in kinds))
+
+
 def drop_tests(campaign: Campaign, *ids: str) -> Campaign:
     return replace(campaign, tests=tuple(t for t in campaign.tests if t.id not in ids))
 

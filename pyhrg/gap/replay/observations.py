@@ -30,6 +30,9 @@ MEAN_CHANNELS = (*FORCES, "frequency_offset")
 """Channels of which a log has means over its rows; the others are taken at the rows' ends."""
 LOOP_COMMANDS = ("drive_on", "virtual_rotation", "amplitude_setpoint", "phase_offset")
 """Commands whose change puts the loops, and through them the pattern, into a transient."""
+AMPLITUDE_COMMANDS = ("drive_on", "amplitude_setpoint")
+"""Commands after whose change the drive pushes: the amplitude of the row before is not compared, as
+a late reading of it shows the push."""
 COMMAND_COLUMNS = (
     "axis_up",
     *(name for name in HELD_COLUMNS if not name.startswith("acceleration")),
@@ -113,12 +116,15 @@ def observe_test(test: Test, nominal: Device, encoder_noise: float = 0.0) -> Obs
     duration = max(compute_settling_time(nominal), coarse)
     settled = find_undisturbed_rows(log, changed, duration)
     held = find_undisturbed_rows(log, _find_amplitude_changes(log, nominal), duration)
+    pushed_next = np.append(_find_changes(log, AMPLITUDE_COMMANDS)[1:], False)
     rows = {}
     for name in CHANNELS:
         compared = np.isfinite(getattr(log, name)) & np.isfinite(log.gyro_angle)
         compared &= held if name == "gyro_angle" else settled
         if name in FORCES:
             compared &= log.drive_on > 0
+        if name == "amplitude":
+            compared &= ~pushed_next
         rows[name] = compared
     rows["temperature"] = np.isfinite(log.temperature)
     return ObservedTest(test, inputs, rows, transient)

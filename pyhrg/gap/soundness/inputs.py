@@ -105,18 +105,22 @@ def _find_cut(log: Log, missing: NDArray[np.bool_]) -> tuple[int, str]:
             if first == 0:
                 raise LogError(f"{log.source}: the start is missing, to time_s {log.time[end]:g}")
             reason = f"inputs missing from time_s {time:g} on, while they changed"
-            return _find_steady_end(log.table_angle, first), f"{log.source}: {reason}: cut there"
+            end = _find_steady_end(log.table_angle, missing, first)
+            return end, f"{log.source}: {reason}: cut there"
     return len(missing), ""
 
 
-def _find_steady_end(angle: Array, end: int) -> int:
-    """End of the rows up to `end` in and after which the table kept its rate: with no row after it,
-    a change of the rate within a row is not known."""
+def _find_steady_end(angle: Array, missing: NDArray[np.bool_], end: int) -> int:
+    """End of the rows up to `end` in and after which the table kept its rate, the last of them
+    known: with no row after it, a change of the rate within a row is not known."""
     turns = np.diff(angle[:end], prepend=0.0)
     changes = np.abs(np.diff(turns)) > REST_TOLERANCE + RATE_TOLERANCE * np.abs(turns[1:])
     while end > 2 and changes[end - 2]:
         end -= 1
-    return max(end - 1, 1)
+    end = max(end - 1, 1)
+    while end > 1 and missing[end - 1]:
+        end -= 1
+    return end
 
 
 def _keeps_rate(log: Log, first: int, end: int) -> bool:

@@ -63,6 +63,15 @@ def test_the_angle_is_not_compared_while_the_amplitude_changes() -> None:
     assert np.flatnonzero(~rows).tolist() == list(range(60, 60 + COARSE_SETTLING_STEPS))
 
 
+def test_an_amplitude_that_may_show_the_next_push_is_not_compared() -> None:
+    log = made_up_log(120)
+    lower = np.where(log.time > 60, 0.8, 1.0) * log.amplitude_setpoint
+    rows = observe(replace(log, amplitude_setpoint=lower)).rows
+    left_out = np.flatnonzero(~rows["amplitude"][30:]) + 30
+    assert left_out.tolist() == list(range(59, 60 + COARSE_SETTLING_STEPS))
+    assert rows["amplitude_force"][59]
+
+
 def test_the_noise_of_a_thermometer_is_averaged() -> None:
     log = made_up_log(600)
     assert np.ptp(observe(log).inputs.temperatures) == 0

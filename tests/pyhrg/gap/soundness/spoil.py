@@ -59,7 +59,7 @@ def at(rows: slice, value: float, field: str) -> Change:
     return change
 
 
-def without_rows(rows: slice) -> Change:
+def without_rows(rows: slice | list[int]) -> Change:
     """Rows that the recorder missed."""
     return lambda log: _with(
         log, {c.field: np.delete(getattr(log, c.field), rows) for c in COLUMNS}

@@ -55,6 +55,10 @@ def test_a_log_is_cut_where_its_inputs_are_unknown(error_free: Campaign) -> None
     assert sentences == ["pos: inputs missing from time_s 9.5 on, while they changed: cut there"]
     assert len(log.time) == 17  # the turn in the last row before a change is not sure
     assert np.isfinite(log.gyro_angle).all()
+    gaps = [*range(14, 17), *range(18, 22)]
+    log, _ = screen_changed(error_free, without_rows(gaps), "pos")
+    assert len(log.time) == 14  # the turn in a row that is missing is not sure either
+    assert np.isfinite(log.gyro_angle).all()
     log, sentences = screen_changed(
         error_free, at(slice(80, 200), np.nan, "virtual_rotation"), "virtual"
     )

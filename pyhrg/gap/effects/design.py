@@ -252,11 +252,12 @@ def compute_model_error(
     parts: Sequence[LinearTest], noise: CampaignNoise
 ) -> dict[TestChannel, float]:
     """Chi-square that the simulation may get wrong of each test's residual (Eq. (9)): a share of
-    what the residual has beyond its number of rows; 0 where that is less."""
+    what the residual has beyond its number of rows, without what the recorder alone makes; 0 where
+    that is less."""
     error = {}
     for channel in CHANNELS:
         for part in parts:
-            own, angle = (part.residual[name][:, None] for name in (channel, "gyro_angle"))
+            own, angle = (part.gyro_residual(name)[:, None] for name in (channel, "gyro_angle"))
             series = part.at_measured_angle(own, angle, channel)
             white = whiten_rows(part, channel, series, noise).series
             excess = max(float((white**2).sum()) - len(white), 0.0)

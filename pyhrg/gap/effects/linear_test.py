@@ -16,6 +16,7 @@ from pyhrg.gap.effects.form import Form, build_form_columns, build_reading_colum
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.replay.observations import ObservedTest, see_angles
+from pyhrg.gap.replay.replay import list_read_out_fields
 from pyhrg.gap.replay.simulation import compute_carrier_terms
 from pyhrg.gap.replay.table_steps import shape_rounding_errors
 from pyhrg.gap.replay.thermometer import estimate_thermometer_noise
@@ -95,6 +96,16 @@ class LinearTest:
         effects = [own[channel] for own in self.sensitivities.values()]
         steps = [(channel == "gyro_angle") * jump.columns(self.where) for jump in outputs]
         return np.column_stack([*effects, *steps, self.residual[channel]])
+
+    def gyro_residual(self, channel: str) -> Array:
+        """(n,) residual without what the simulated device's recorder makes of it, which is
+        exact."""
+        residual, exact = self.residual[channel], set(list_read_out_fields(self.test.log))
+        for effect, own in self.sensitivities.items():
+            if exact.issuperset(effect.fields):
+                away = effect.vector(self.device) - effect.vector(self.where.nominal)
+                residual = residual - own[channel] @ away
+        return residual
 
     @cached_property
     def unmodelled(self) -> Mapping[str, Array]:

@@ -25,6 +25,7 @@ from pyhrg.gap.evidence.jump_search import find_jumps, find_steps
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
 from pyhrg.gap.evidence.residuals import compute_residuals, distinct_by_groups
 from pyhrg.gap.evidence.search import Ranking, is_unnamed, rank_sets
+from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.whitening.campaign_noise import CampaignNoise
 from pyhrg.gap.whitening.channel_noise import estimate_campaign_noise
 
@@ -247,6 +248,8 @@ def make_feasibility_check(nominal: Device, effects: Collection[Effect]) -> Call
 
 
 def estimate_nominal_noise(nominal: Device, parts: Sequence[LinearTest]) -> CampaignNoise:
-    """Noise of all channels, that of the output angle as the nominal gyro states it."""
-    tests, residuals = [p.test for p in parts], [p.residual for p in parts]
+    """Noise of all channels, that of the output angle as the nominal gyro states it; others from
+    the residuals of the simulated device."""
+    tests = [p.test for p in parts]
+    residuals = [{n: getattr(p.test.log, n) - p.simulated[n] for n in CHANNELS} for p in parts]
     return estimate_campaign_noise(nominal, tests, residuals, parts[0].device.thermometer_lag)

@@ -9,6 +9,7 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.gap.replay.observations import Mask, ObservedTest
 from pyhrg.gap.replay.thermometer import SLOPE_TIME
+from pyhrg.gap.whitening.wander import is_steady
 from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel, whiten
 
 THERMOMETER_CORRELATION = 3.0
@@ -25,6 +26,7 @@ class CampaignNoise:
     temperature: standard deviation of one reading of a test's temperature log, K, by test.
     reading_steps: quantization steps of these logs, K; 0 where they are finer than their noise.
     per_kelvin: sensitivity of a channel to the resonator's temperature, SI/K.
+    wander: random walk of these channels in tests at a steady temperature, SI/sqrt(s).
     thermal_lag: time constant from case to resonator, s.
     thermometer_lag: of the thermometer behind the case, s.
     bryan_factor: of the nominal device. Noise that turns a driven pattern is also a noise of the
@@ -36,6 +38,7 @@ class CampaignNoise:
     temperature: Mapping[str, float]
     reading_steps: Mapping[str, float]
     per_kelvin: Mapping[str, float]
+    wander: Mapping[str, float]
     thermal_lag: float
     thermometer_lag: float
     bryan_factor: float
@@ -52,37 +55,42 @@ class CampaignNoise:
         nearest = min(self.white_noise[channel], key=lambda known: abs(math.log(known / interval)))
         white = self.white_noise[channel][nearest]
         if channel in self.per_kelvin:
-            kelvin = self.temperature.get(test.test.id, max(self.temperature.values()))
-            density = self.per_kelvin[channel] * kelvin * np.sqrt(interval)
-            return NoiseModel(
-                white,
-                lagged=density,
-                lag=self.thermal_lag,
-                correlated=self._list_lasting(channel, test, density),
-            )
+            return self._follow_thermometer(channel, test, white)
         if channel == "amplitude" and not test.log.drive_on.all():
             walk = 2 * self.bryan_factor * self.angle.angle_random_walk
             return NoiseModel(white, angle_random_walk=walk)
         return NoiseModel(white)
 
-    def _list_lasting(
-        self, channel: str, test: ObservedTest, density: float
-    ) -> tuple[CorrelatedNoise, ...]:
-        """What lasts for some readings of a thermometer with this root density of noise in a
-        channel, unit sqrt(s): its rounding (Eq. 16), and its noise in the slope that undoes its lag
-        (Eq. 15a)."""
-        lasting = []
-        if step := self.reading_steps.get(test.test.id, 0.0):
-            error = self.per_kelvin[channel] * self._lasting_error(step)
-            time = THERMOMETER_CORRELATION * self.thermal_lag
-            lasting.append(CorrelatedNoise(error, time, of_rate=False))
-        if self.thermometer_lag and np.ptp(test.inputs.temperatures):
-            time = max(SLOPE_TIME, test.log.interval)
-            share = self.thermometer_lag / self.thermal_lag
-            lasting.append(
-                CorrelatedNoise(density * share / math.sqrt(2 * time), time, of_rate=False)
+    def _follow_thermometer(self, channel: str, test: ObservedTest, white: float) -> NoiseModel:
+        """White noise of a row, and what the thermometer's noise and rounding add to it (Eqs. 15
+        to 16)."""
+        name, lag = test.test.id, self.thermal_lag
+        kelvin = self.temperature.get(name, max(self.temperature.values()))
+        density = self.per_kelvin[channel] * kelvin * math.sqrt(test.log.interval)
+        step = self.reading_steps.get(name, 0.0)
+        rounding = self.per_kelvin[channel] * self._lasting_error(step) if step else 0.0
+        if is_steady(test):
+            walk = rounding * math.sqrt(2 / (THERMOMETER_CORRELATION * lag))
+            mean = (
+                self.per_kelvin[channel]
+                * kelvin
+                / math.sqrt(max(1, test.rows["temperature"].sum()))
             )
-        return tuple(lasting)
+            return NoiseModel(
+                white,
+                lagged=lag * min(self.wander[channel], math.hypot(density / lag, walk)),
+                lag=lag,
+                offset=math.hypot(mean, rounding),
+                offset_lag=0.0 if test.inputs.is_soaked else lag,
+            )
+        lasting = []
+        if rounding:
+            lasting.append(CorrelatedNoise(rounding, THERMOMETER_CORRELATION * lag, of_rate=False))
+        if self.thermometer_lag:
+            time = max(SLOPE_TIME, test.log.interval)
+            level = density * self.thermometer_lag / lag / math.sqrt(2 * time)
+            lasting.append(CorrelatedNoise(level, time, of_rate=False))
+        return NoiseModel(white, lagged=density, lag=lag, correlated=tuple(lasting))
 
     def _lasting_error(self, step: float) -> float:
         """Rounding error that lasts for many readings of a thermometer with this step, K (Eq. 16).

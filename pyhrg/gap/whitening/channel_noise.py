@@ -14,6 +14,7 @@ from pyhrg.gap.replay.reading_noise import MIN_DIFFERENCES, OUTLIER_SIGMA
 from pyhrg.gap.replay.replay import list_measured_temperatures
 from pyhrg.gap.replay.thermometer import estimate_reading_steps
 from pyhrg.gap.whitening.campaign_noise import CampaignNoise
+from pyhrg.gap.whitening.wander import estimate_wander
 from pyhrg.gap.whitening.whitening import NoiseModel
 
 REPLAY_RESOLUTION = {
@@ -68,6 +69,10 @@ def estimate_campaign_noise(
             change = slope * float(np.median(kelvins)) * interval / nominal.thermal_lag
             least = REPLAY_RESOLUTION[channel]
             white[channel][interval] = math.sqrt(max(deviation**2 - change**2 / 12, least**2))
+    wander = {
+        channel: estimate_wander(channel, tests, residuals, white[channel], nominal.thermal_lag)
+        for channel in per_kelvin
+    }
     white |= _add_hidden_force_noise(nominal, tests, residuals, white)
     return CampaignNoise(
         build_angle_noise(nominal),
@@ -75,6 +80,7 @@ def estimate_campaign_noise(
         temperature,
         steps,
         per_kelvin,
+        wander,
         nominal.thermal_lag,
         thermometer_lag,
         nominal.bryan_factor,

@@ -51,6 +51,8 @@ class NoiseModel:
     lagged: root density of white noise behind a first-order lag, unit sqrt(s). A temperature log's
         noise reaches a channel in this form, through the resonator's thermal lag.
     lag: time constant of that lag, s.
+    offset: standard deviation of a constant error behind a first-order lag.
+    offset_lag: time constant of that lag, s; 0 of an error that is whole from the first reading on.
     correlated: further, exponentially correlated, terms.
     reading_noise: (n,) standard deviations of further white noise of each reading.
     white_growth, walk_growth: (n,) factors of the white noise of each reading, and of the angle
@@ -63,6 +65,8 @@ class NoiseModel:
     bias_instability: float = 0.0
     lagged: float = 0.0
     lag: float = 600.0
+    offset: float = 0.0
+    offset_lag: float = 0.0
     correlated: tuple[CorrelatedNoise, ...] = ()
     reading_noise: Array | None = field(default=None, compare=False)
     white_growth: Array | None = field(default=None, compare=False)
@@ -91,6 +95,12 @@ class NoiseModel:
         growth = np.ones(n) if self.white_growth is None else self.white_growth
         own = self.angle_white_noise * growth
         return own if self.reading_noise is None else np.hypot(own, self.reading_noise)
+
+    def shape_offset(self, time: Array) -> Array:
+        """(n,) standard deviation of the constant error at times since power-on, s."""
+        if not self.offset_lag:
+            return np.full(len(time), self.offset)
+        return -self.offset * np.expm1(-time / self.offset_lag)
 
     def compute_walk_growth(self, n: int) -> Array:
         """(n,) factor of the angle random walk up to each reading."""
@@ -152,9 +162,12 @@ def whiten(
     shapes that the simulation lacks: a multiple of each with standard deviation 1 counts as noise
     (docs/methods/whitening.md, Eqs. 11 and 12).
     """
-    if unmodelled is None or not unmodelled.any():
+    shapes = np.empty((len(series), 0)) if unmodelled is None else unmodelled
+    if noise.offset:
+        shapes = np.column_stack([shapes, noise.shape_offset(np.cumsum(steps))])
+    if not shapes.any():
         return _whiten_by_filter(series, steps, noise)
-    both = _whiten_by_filter(np.column_stack([series, unmodelled]), steps, noise)
+    both = _whiten_by_filter(np.column_stack([series, shapes]), steps, noise)
     white, shapes = np.split(both.series, [series.shape[1]], axis=1)
     units, sizes, _ = np.linalg.svd(shapes, full_matrices=False)
     shrinking = 1 - 1 / np.sqrt(1 + sizes**2)
@@ -196,6 +209,8 @@ def draw_noise(noise: NoiseModel, n: int, interval: float, generator: np.random.
                 steps[0] = generator.normal(0.0, np.sqrt(power))
             lagging = rate if is_rate else reading
             lagging += np.asarray(lfilter([1.0], [1.0, -kept], steps))
+    if noise.offset:
+        reading += generator.normal() * noise.shape_offset(interval * np.arange(1.0, n + 1))
     walks = noise.angle_random_walk * noise.compute_walk_growth(n)
     steps = generator.normal(0.0, walks * np.sqrt(interval), n)
     walk = np.cumsum(rate * interval + steps)

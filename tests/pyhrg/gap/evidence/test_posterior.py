@@ -48,7 +48,8 @@ def part_of(angle: Array, seed: int) -> LinearTest:
     }
     where = compute_coordinates(test, vars(test.log), BELIEVED)
     left = {**residual, "gyro_angle": angle}
-    return LinearTest(test, BELIEVED, nothing, left, sensitivities, where, nothing)
+    simulated = {name: getattr(test.log, name) - left[name] for name in CHANNELS}
+    return LinearTest(test, BELIEVED, simulated, left, sensitivities, where, nothing)
 
 
 def parts_of(noise: NoiseModel, seed: int, added: Array) -> list[LinearTest]:

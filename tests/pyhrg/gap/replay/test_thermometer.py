@@ -90,8 +90,7 @@ def test_noise_shakes_readings_from_step_to_step() -> None:
     log = replace(made_up_log(ROWS), temperature=still)
     test = observe_test(Test("still", "static", "fit", log), device)
     noise = estimate_campaign_noise(device, [test], [{name: np.zeros(ROWS) for name in CHANNELS}])
-    (rounding,) = noise.get_model("amplitude_force", test).correlated
-    level = rounding.level / noise.per_kelvin["amplitude_force"]
+    level = noise.get_model("amplitude_force", test).offset / noise.per_kelvin["amplitude_force"]
     assert max(np.abs(means)) < level < 0.05 * step
 
 

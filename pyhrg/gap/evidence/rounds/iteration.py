@@ -40,8 +40,8 @@ CONVERGENCE_DISTANCE = 0.1 / math.sqrt(LINEARIZATION_ERROR)
 (Eq. (11)), 3.2. Derived: the linearization error of such a step moves the estimate by a tenth of
 its standard deviation."""
 ERROR_DECAY = 4.0
-"""Factor by which the allowed linearization error falls where two sets that explain as much are
-taken in turn, each after the long step from the other. Chosen."""
+"""Factor by which the allowed linearization error falls where sets that explain as much are taken
+in turn, each after the long step from another. Chosen."""
 MAX_HALVINGS = 8
 """Number of times that a step to a gyro which the FMU refuses is halved. Chosen."""
 LINEAR_DISTANCE = math.sqrt(NEGLIGIBLE_CHI2 / LINEARIZATION_ERROR)
@@ -106,7 +106,7 @@ class _Iteration:
     _is_far: whether sensitivities are due.
     _differentiated_at: gyro at which they were taken last.
     _linearization_error: allowed linearization error, as chi-square.
-    _last_sets: best sets of the last two rounds, the latest last.
+    _earlier_sets: best sets of the rounds before.
     _compared_groups: set of effects for which the noises were compared last.
     _last_exact: last hypothesis without linearization error; the next search starts from it.
     """
@@ -123,7 +123,7 @@ class _Iteration:
         self._is_far = True
         self._differentiated_at = nominal
         self._linearization_error = math.inf
-        self._last_sets: tuple[tuple[Group, ...] | None, ...] = (None, None)
+        self._earlier_sets: list[tuple[Group, ...]] = []
         self._compared_groups: tuple[Group, ...] | None = None
         self._last_exact: Hypothesis | None = None
         self.device = nominal
@@ -189,7 +189,7 @@ class _Iteration:
             hypothesis = self._rank()
         elif self._linearization_error:
             missed = LINEARIZATION_ERROR * length**2
-            if self._takes_turns(hypothesis.ranking.best.groups):
+            if self._returns_to(hypothesis.ranking.best.groups):
                 missed = min(missed, self._linearization_error / ERROR_DECAY)
             self._linearization_error = missed
         best = hypothesis.ranking.best
@@ -204,11 +204,11 @@ class _Iteration:
             is_near = self.step_length(hypothesis) < LINEAR_DISTANCE
             self._compared_groups = self.posterior.best.ranking.best.groups if is_near else None
 
-    def _takes_turns(self, groups: tuple[Group, ...]) -> bool:
-        """Whether the best set is that of the round before the last, and another came between."""
-        before, last = self._last_sets
-        self._last_sets = last, groups
-        return before == groups != last
+    def _returns_to(self, groups: tuple[Group, ...]) -> bool:
+        """Whether the best set was the best one before, and others came between."""
+        returns = groups in self._earlier_sets[:-1] and groups != self._earlier_sets[-1]
+        self._earlier_sets.append(groups)
+        return returns
 
     def _count_unexplained(self) -> bool:
         """Let what the most probable hypothesis leaves of the residual count against all of them;

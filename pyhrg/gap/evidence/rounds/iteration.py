@@ -30,6 +30,7 @@ from pyhrg.gap.evidence.rounds.step import (
     measure_step,
     move_gyro,
 )
+from pyhrg.gap.evidence.rounds.turns import ERROR_DECAY, Turns
 from pyhrg.gap.evidence.unexplained import count_unexplained, measure_unexplained
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation
@@ -39,11 +40,6 @@ CONVERGENCE_DISTANCE = 0.1 / math.sqrt(LINEARIZATION_ERROR)
 """The search has converged when a step moves the gyro by less than this Mahalanobis distance
 (Eq. (11)), 3.2. Derived: the linearization error of such a step moves the estimate by a tenth of
 its standard deviation."""
-ERROR_DECAY = 4.0
-"""Factor by which the allowed linearization error falls where sets that explain as much are taken
-in turn, each after the long step from another. Chosen."""
-LONGER = 4.0
-"""Ratio of two steps in succession above which the second is far longer. Chosen."""
 MAX_HALVINGS = 8
 """Number of times that a step to a gyro which the FMU refuses is halved. Chosen."""
 LINEAR_DISTANCE = math.sqrt(NEGLIGIBLE_CHI2 / LINEARIZATION_ERROR)
@@ -108,8 +104,7 @@ class _Iteration:
     _is_far: whether sensitivities are due.
     _differentiated_at: gyro at which they were taken last.
     _linearization_error: allowed linearization error, as chi-square.
-    _earlier_sets: best sets of the rounds before, with steps that are not linear yet.
-    _last_length: length of the last of these steps.
+    _sets: best sets of the rounds whose steps are not linear yet.
     _compared_groups: set of effects for which the noises were compared last.
     _last_exact: last hypothesis without linearization error; the next search starts from it.
     """
@@ -126,8 +121,7 @@ class _Iteration:
         self._is_far = True
         self._differentiated_at = nominal
         self._linearization_error = math.inf
-        self._earlier_sets: list[tuple[Group, ...]] = []
-        self._last_length = 0.0
+        self._sets = Turns()
         self._compared_groups: tuple[Group, ...] | None = None
         self._last_exact: Hypothesis | None = None
         self.device = nominal
@@ -193,7 +187,7 @@ class _Iteration:
             hypothesis = self._rank()
         elif self._linearization_error:
             missed = LINEARIZATION_ERROR * length**2
-            if self._takes_turns(hypothesis.ranking.best.groups, length):
+            if self._sets.take(hypothesis.ranking.best.groups, length):
                 missed = min(missed, self._linearization_error / ERROR_DECAY)
             self._linearization_error = missed
         best = hypothesis.ranking.best
@@ -207,15 +201,6 @@ class _Iteration:
             self.posterior = compare_noises(hypothesis, nominal, self.parts, self._catalogue.noises)
             is_near = self.step_length(hypothesis) < LINEAR_DISTANCE
             self._compared_groups = self.posterior.best.ranking.best.groups if is_near else None
-
-    def _takes_turns(self, groups: tuple[Group, ...], length: float) -> bool:
-        """Whether the best set was the best one before and others came between, and the step to it
-        is as long as the last one. After a far longer one the equations are not linear."""
-        returns = groups in self._earlier_sets[:-1] and groups != self._earlier_sets[-1]
-        is_alike = length < LONGER * self._last_length
-        self._earlier_sets.append(groups)
-        self._last_length = length
-        return returns and is_alike
 
     def _count_unexplained(self) -> bool:
         """Let what the most probable hypothesis leaves of the residual count against all of them;

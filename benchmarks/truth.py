@@ -16,7 +16,7 @@ from dataclasses import replace
 from pyhrg.challenge.case import Fmus, generate_case, prepare_case
 from pyhrg.challenge.roster import STRONGEST_SIGMAS, Settings
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE
-from pyhrg.gap.effects.linear_test import LinearTest, whiten_rows
+from pyhrg.gap.effects.linear_test import LinearTest, whiten_gyro_residual
 from pyhrg.gap.effects.sensitivities import linearize_test
 from pyhrg.gap.evidence.hypothesis import estimate_nominal_noise
 from pyhrg.gap.preparation import prepare_campaign
@@ -62,8 +62,7 @@ def compare_channels(parts: list[LinearTest]) -> Iterator[tuple[str, str, float,
     noise = estimate_nominal_noise(parts[0].device, parts)
     for part in parts:
         for name in CHANNELS:
-            own, angle = (part.residual[n][:, None] for n in (name, "gyro_angle"))
-            white = whiten_rows(part, name, part.at_measured_angle(own, angle, name), noise).series
+            white = whiten_gyro_residual(part, name, noise)
             yield part.test.test.id, name, float((white**2).sum()), len(white)
 
 

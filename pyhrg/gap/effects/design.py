@@ -12,7 +12,7 @@ from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.form import Form
 from pyhrg.gap.effects.jump import Jump
-from pyhrg.gap.effects.linear_test import Group, LinearTest, whiten_rows, whiten_terms
+from pyhrg.gap.effects.linear_test import Group, LinearTest, whiten_gyro_residual, whiten_terms
 from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.whitening.campaign_noise import CampaignNoise
 
@@ -257,9 +257,7 @@ def compute_model_error(
     error = {}
     for channel in CHANNELS:
         for part in parts:
-            own, angle = (part.gyro_residual(name)[:, None] for name in (channel, "gyro_angle"))
-            series = part.at_measured_angle(own, angle, channel)
-            white = whiten_rows(part, channel, series, noise).series
+            white = whiten_gyro_residual(part, channel, noise)
             excess = max(float((white**2).sum()) - len(white), 0.0)
             error[part.test.test.id, channel] = MODEL_ERROR_POWER * excess
     return error

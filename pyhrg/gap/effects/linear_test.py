@@ -195,6 +195,14 @@ def whiten_terms(
     return terms
 
 
+def whiten_gyro_residual(part: LinearTest, channel: str, noise: CampaignNoise) -> Array:
+    """(m,) compared rows of a channel's residual at the measured pattern angle, whitened, without
+    what the recorder makes."""
+    own, angle = (part.gyro_residual(name)[:, None] for name in (channel, "gyro_angle"))
+    series = part.at_measured_angle(own, angle, channel)
+    return whiten_rows(part, channel, series, noise).series[:, 0]
+
+
 def whiten_rows(
     part: LinearTest, channel: str, series: Array, noise: CampaignNoise
 ) -> WhitenedSeries:

@@ -60,6 +60,11 @@ class ReplayInputs:
         at_begin = np.concatenate(([self.start_table_angle], self.log.table_angle[:-1]))[:, None]
         return at_begin + self.table.compute_turns(steps)
 
+    @property
+    def is_steady(self) -> bool:
+        """Whether one temperature stands for all readings."""
+        return not np.ptp(self.temperatures)
+
     def find_case_temperatures(self, device: Device) -> Array:
         """(n + 1,) at the rows' bounds, K, as a device's thermometer reads them."""
         return correct_temperatures(device, self.temperatures, self.log.interval)

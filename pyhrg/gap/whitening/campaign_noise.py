@@ -9,7 +9,6 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.gap.replay.observations import Mask, ObservedTest
 from pyhrg.gap.replay.thermometer import SLOPE_TIME
-from pyhrg.gap.whitening.wander import is_steady
 from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel, whiten
 
 THERMOMETER_CORRELATION = 3.0
@@ -66,16 +65,13 @@ class CampaignNoise:
         to 16)."""
         name, lag = test.test.id, self.thermal_lag
         kelvin = self.temperature.get(name, max(self.temperature.values()))
-        density = self.per_kelvin[channel] * kelvin * math.sqrt(test.log.interval)
+        slope = self.per_kelvin[channel]
+        density = slope * kelvin * math.sqrt(test.log.interval)
         step = self.reading_steps.get(name, 0.0)
-        rounding = self.per_kelvin[channel] * self._lasting_error(step) if step else 0.0
-        if is_steady(test):
+        rounding = slope * self._lasting_error(step) if step else 0.0
+        if test.inputs.is_steady:
             walk = rounding * math.sqrt(2 / (THERMOMETER_CORRELATION * lag))
-            mean = (
-                self.per_kelvin[channel]
-                * kelvin
-                / math.sqrt(max(1, test.rows["temperature"].sum()))
-            )
+            mean = slope * kelvin / math.sqrt(max(1, test.rows["temperature"].sum()))
             return NoiseModel(
                 white,
                 lagged=lag * min(self.wander[channel], math.hypot(density / lag, walk)),

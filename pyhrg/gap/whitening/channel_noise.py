@@ -14,7 +14,7 @@ from pyhrg.gap.replay.reading_noise import MIN_DIFFERENCES, OUTLIER_SIGMA
 from pyhrg.gap.replay.replay import list_measured_temperatures
 from pyhrg.gap.replay.thermometer import estimate_reading_steps
 from pyhrg.gap.whitening.campaign_noise import CampaignNoise
-from pyhrg.gap.whitening.wander import estimate_wander, is_steady
+from pyhrg.gap.whitening.wander import estimate_wander
 from pyhrg.gap.whitening.whitening import NoiseModel
 
 REPLAY_RESOLUTION = {
@@ -66,7 +66,7 @@ def estimate_campaign_noise(
     for channel, slope in per_kelvin.items():
         for interval, deviation in white[channel].items():
             own = [t for t in tests if t.log.interval == interval]
-            kelvins = [0.0 if is_steady(t) else temperature[t.test.id] for t in own]
+            kelvins = [0.0 if t.inputs.is_steady else temperature[t.test.id] for t in own]
             change = slope * float(np.median(kelvins)) * interval / nominal.thermal_lag
             least = REPLAY_RESOLUTION[channel]
             white[channel][interval] = math.sqrt(max(deviation**2 - change**2 / 12, least**2))

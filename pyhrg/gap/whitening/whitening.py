@@ -98,9 +98,7 @@ class NoiseModel:
 
     def shape_offset(self, time: Array) -> Array:
         """(n,) standard deviation of the constant error at times since power-on, s."""
-        if not self.offset_lag:
-            return np.full(len(time), self.offset)
-        return -self.offset * np.expm1(-time / self.offset_lag)
+        return self.offset * rise_behind_lag(time, self.offset_lag)
 
     def compute_walk_growth(self, n: int) -> Array:
         """(n,) factor of the angle random walk up to each reading."""
@@ -150,6 +148,11 @@ class WhitenedSeries:
 
     series: Array
     log_determinant: float
+
+
+def rise_behind_lag(time: Array, lag: float) -> Array:
+    """(n,) what a first-order lag, s, shows of a constant 1 at times since power-on, s."""
+    return -np.expm1(-time / lag) if lag else np.ones(len(time))
 
 
 def whiten(

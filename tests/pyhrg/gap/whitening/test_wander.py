@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.observations import ObservedTest, observe_test
 from pyhrg.gap.whitening.channel_noise import estimate_campaign_noise
-from pyhrg.gap.whitening.wander import estimate_wander, is_steady
+from pyhrg.gap.whitening.wander import estimate_wander
 from pyhrg.gap.whitening.whitening import draw_noise, whiten
 from pyhrg.records.campaign import Test
 from tests.pyhrg.records.made_up import made_up_log
@@ -41,7 +41,7 @@ def draw(walk: float, offset: float, seed: int) -> NDArray[np.float64]:
 def wander_of(series: list[NDArray[np.float64]]) -> float:
     residuals = [{CHANNEL: values} for values in series]
     tests = observe_tests(len(series))
-    assert all(is_steady(test) for test in tests)
+    assert all(test.inputs.is_steady for test in tests)
     return estimate_wander(CHANNEL, tests, residuals, {1.0: WHITE}, DEVICE.thermal_lag)
 
 
@@ -66,7 +66,7 @@ def test_a_signal_in_one_of_several_tests_is_no_wander() -> None:
 def test_a_moving_temperature_is_not_searched() -> None:
     log = replace(made_up_log(N), temperature=np.linspace(290.0, 300.0, N))
     test = observe_test(Test("ramp", "static", "fit", log), DEVICE)
-    assert not is_steady(test)
+    assert not test.inputs.is_steady
     residuals = [{CHANNEL: draw(0.0, 0.0, 1)}]
     assert estimate_wander(CHANNEL, [test], residuals, {1.0: WHITE}, 600.0) == np.inf
 

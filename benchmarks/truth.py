@@ -13,7 +13,7 @@ import sys
 from collections.abc import Iterator
 from dataclasses import replace
 
-from pyhrg.challenge.case import Fmus, generate_case, prepare_case
+from pyhrg.challenge.case import NOISE, Fmus, prepare_case
 from pyhrg.challenge.roster import STRONGEST_SIGMAS, Settings
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE
 from pyhrg.gap.effects.linear_test import LinearTest, whiten_gyro_residual
@@ -32,8 +32,9 @@ def main(level: str = "good-lab", seed: str = "1", count: str = "4") -> None:
     fmus = Fmus(load_model("HRGCarrier"), simulation)
     settings = Settings({"several": int(count)}, int(seed), STRONGEST_SIGMAS, level, "full")
     for case in settings.cases():
-        campaign, truth = generate_case(case, fmus)
         drawn = prepare_case(case, simulation)
+        made = drawn.record_tests([(plan, fmus.of(plan)) for plan in drawn.plans], NOISE)
+        campaign = drawn.campaign([test for test, _ in made])
         device, errors = drawn.state.device, drawn.laboratory.errors
         true = replace(device, **{name: getattr(device, name) + errors[name] for name in errors})
         tests = [
@@ -50,7 +51,7 @@ def main(level: str = "good-lab", seed: str = "1", count: str = "4") -> None:
         for _, name, power, rows in found:
             totals[name] = [totals[name][0] + power, totals[name][1] + rows]
         shares = ", ".join(f"{n} {p / max(rows, 1):.2f}" for n, (p, rows) in totals.items())
-        print(f"{case.name} ({', '.join(truth.effects)}): {shares}")
+        print(f"{case.name} ({', '.join(drawn.state.truth.effects)}): {shares}")
         for test, name, power, rows in found:
             if power - rows > LIMIT * math.sqrt(2 * rows):
                 print(f"    {test} {name}: chi-square {power:.0f} in {rows} rows")

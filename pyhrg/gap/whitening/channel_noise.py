@@ -45,7 +45,8 @@ def estimate_campaign_noise(
     """Noise of all channels. That of the output angle is the nominal device's stated noise.
 
     That of the other channels is estimated from second differences of residuals, to which a slow
-    signal contributes almost nothing (docs/methods/whitening.md, Eq. 14). Residuals are record less
+    signal contributes almost nothing (docs/methods/whitening.md, Eq. 14); how far the temperature
+    wanders in steady tests, from differences of means (Eq. 15c). Residuals are record less
     simulation, (n,) by channel for each test, SI. The simulation undoes `thermometer_lag`, s, which
     amplifies the thermometer's noise.
     """

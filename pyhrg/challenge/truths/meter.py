@@ -3,7 +3,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 
 import numpy as np
@@ -13,6 +13,7 @@ from pyhrg.bench.programme import Course, Programme, make_course
 from pyhrg.challenge.campaigns.gyro import Disturbance, TrueGyro
 from pyhrg.challenge.campaigns.instruments import Instruments
 from pyhrg.challenge.campaigns.laboratory import Laboratory
+from pyhrg.challenge.truths.channel_noise import build_noises, state_angle_noise
 from pyhrg.challenge.truths.noise_strength import measure_noise, set_noise
 from pyhrg.challenge.truths.unsteadiness import measure_unsteadiness
 from pyhrg.common.arrays import Array
@@ -91,6 +92,12 @@ class Meter:
     tests: Sequence[tuple[Course, float]]
     instruments: Instruments
     laboratories: Sequence[Laboratory] = ()
+    _sensitivities: dict[Effect, Array] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
+    _known_shapes: dict[NoiseModel, tuple[Array, Array]] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
 
     def sigmas_of(self, name: str, parameters: Mapping[str, float]) -> float:
         """Strength of an effect of the catalogue, by the campaign format's parameters.
@@ -129,25 +136,40 @@ class Meter:
 
     def _compute_sensitivities(self, effects: Sequence[Effect]) -> Array:
         """(n, p) sensitivities to the components of the effects, each of length 1."""
-        steps = [
-            effect.put(self.nominal, effect.vector(self.nominal) + STEP * effect.scale * unit)
-            for effect in effects
-            for unit in np.eye(effect.size)
-        ]
-        columns = [self.residual(device) for device in steps]
-        return np.column_stack([c / (np.linalg.norm(c) or 1.0) for c in columns])
+        for effect in effects:
+            if effect not in self._sensitivities:
+                here, step = effect.vector(self.nominal), STEP * effect.scale
+                devices = [effect.put(self.nominal, here + step * u) for u in np.eye(effect.size)]
+                columns = np.column_stack([self.residual(device) for device in devices])
+                lengths = np.linalg.norm(columns, axis=0)
+                self._sensitivities[effect] = columns / np.where(lengths, lengths, 1.0)
+        return np.column_stack([self._sensitivities[effect] for effect in effects])
 
     def residual(self, device: Device, disturbance: Disturbance = NOTHING) -> Array:
         """(n,) whitened residual of all tests and channels, known parameters integrated out
         (Eq. 4)."""
-        series = [self._compute_residuals(device, disturbance), *self._known_residuals]
-        gap, *known = (_concatenate(self._whiten(device, own)) for own in series)
-        return _integrate_out(np.column_stack(known), gap) if known else gap
+        noise = state_angle_noise(device)
+        gap = _concatenate(self._whiten(noise, self._compute_residuals(device, disturbance)))
+        if not self.laboratories:
+            return gap
+        shapes, shrinking = self._find_known_shapes(noise)
+        return np.asarray(gap - shapes @ (shrinking * (shapes.T @ gap)))
+
+    def _find_known_shapes(self, noise: NoiseModel) -> tuple[Array, Array]:
+        """(n, k) orthonormal shapes of what known parameters make of whitened residuals, and (k,)
+        the shares of them by which these become white: (I + K K^T)^(-1/2) for the (n, k) responses
+        K to parameters of unit variance."""
+        if noise not in self._known_shapes:
+            known = [_concatenate(self._whiten(noise, own)) for own in self._known_residuals]
+            shapes, sizes, _ = np.linalg.svd(np.column_stack(known), full_matrices=False)
+            self._known_shapes[noise] = shapes, 1 - 1 / np.sqrt(1 + sizes**2)
+        return self._known_shapes[noise]
 
     def sigmas_of_unsteady(self, disturbance: Disturbance) -> float:
         """Strength of noise bursts beyond the best stationary noise."""
         series: dict[tuple[str, float], list[Array]] = {}
-        white = self._whiten(self.nominal, self._compute_residuals(self.nominal, disturbance))
+        noise = state_angle_noise(self.nominal)
+        white = self._whiten(noise, self._compute_residuals(self.nominal, disturbance))
         for (course, _), residuals in zip(self.tests, white, strict=True):
             for channel, residual in residuals.items():
                 series.setdefault((channel, course.interval), []).append(residual)
@@ -187,11 +209,13 @@ class Meter:
         fmu = self.simulation.model(*shape)
         return replay_inputs(fmu, self.nominal, inputs, _choose_step(*shape))
 
-    def _whiten(self, device: Device, residuals: Sequence[Residual]) -> list[Residual]:
-        """The compared rows of residuals of each test, whitened with a device's noise."""
+    def _whiten(self, angle: NoiseModel, residuals: Sequence[Residual]) -> list[Residual]:
+        """The compared rows of residuals of each test, whitened; the output angle with this
+        noise."""
         white = []
         for test, gaps in zip(self._nominal_tests, residuals, strict=True):
-            noises, own = self._build_noises(device, test.log.interval), Residual()
+            noises = build_noises(self.nominal, self.instruments, test.log)
+            noises, own = noises | {"gyro_angle": angle}, Residual()
             for name, gap in gaps.items():
                 rows, out = test.rows[name], test.carrier_terms[name]
                 steps = np.diff(test.log.time[rows], prepend=0.0)
@@ -233,26 +257,6 @@ class Meter:
         }
         return _scale_force(log, at_angle)
 
-    def _build_noises(self, device: Device, interval: float) -> dict[str, NoiseModel]:
-        """Noise by channel. A replay gets the logged temperature, so the thermometer's noise enters
-        amplitude force and frequency, smoothed by the thermal lag."""
-        own, lag = self.instruments, self.nominal.thermal_lag
-        warm = own.temperature * math.sqrt(interval)
-        detuned = abs(self.nominal.frequency * self.nominal.frequency_per_kelvin)
-        damped = abs(self.nominal.decay_time_per_kelvin)
-        return {
-            "gyro_angle": NoiseModel(
-                device.angle_white_noise,
-                device.angle_random_walk,
-                device.rate_random_walk,
-                device.bias_instability,
-            ),
-            "amplitude": NoiseModel(own.amplitude),
-            "amplitude_force": NoiseModel(own.amplitude_force, lagged=damped * warm, lag=lag),
-            "quadrature_force": NoiseModel(own.quadrature_force),
-            "frequency_offset": NoiseModel(own.frequency_offset, lagged=detuned * warm, lag=lag),
-        }
-
     def sigmas_of_noise(self, device: Device, against: Device | None = None) -> float:
         """Strength of a device's noise beyond that of another device, the nominal one by default
         (Eq. 2)."""
@@ -271,14 +275,6 @@ class Meter:
 
 def _concatenate(residuals: Sequence[Residual]) -> Array:
     return np.concatenate([series for test in residuals for series in test.values()])
-
-
-def _integrate_out(known: Array, gap: Array) -> Array:
-    """(n,) gap, whitened with noise of unit variance and (n, k) responses of random sizes of unit
-    variance: (I + K K^T)^(-1/2) times it."""
-    shapes, sizes, _ = np.linalg.svd(known, full_matrices=False)
-    kept = 1 / np.sqrt(1 + sizes**2)
-    return np.asarray(gap - shapes @ ((1 - kept) * (shapes.T @ gap)))
 
 
 def make_measured_course(programme: Programme) -> Course:

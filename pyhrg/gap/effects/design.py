@@ -149,15 +149,12 @@ def build_design(
     error = model_error or {}
     effects = list(parts[0].sensitivities)
     columns: dict[Group, NDArray[np.int64]] = {}
-    outputs = [jump for jump in jumps if jump.kind == "output"]
-    others = [jump for jump in jumps if jump.kind != "output"]
-    sizes = [*(effect.size for effect in effects), *(len(jump.times) for jump in outputs)]
-    count = _assign_columns(columns, [*effects, *outputs], sizes, 0)
+    count = _assign_columns(columns, effects, [effect.size for effect in effects], 0)
     blocks = []
     shared = np.arange(count)
     for channel in CHANNELS:
         for index, part in enumerate(parts):
-            white = whiten_terms(part, channel, outputs, others, forms, noise)
+            white = whiten_terms(part, channel, jumps, forms, noise)
             if index == 0:
                 sizes = [
                     len(parts) if term.is_of_each_power_on else size

@@ -32,6 +32,9 @@ that the prior is flat."""
 ORIGIN_SIGMA = 1.0
 """Departure of the first reading from the nominal one, in standard deviations of the readings'
 differences, above which the origin is free. Chosen: a smaller one is lost in the noise."""
+MAX_KEPT_NUMBERS = 2_000_000
+"""Largest whitened series of a channel that is kept, in numbers. Chosen: 16 MB, of a test with 6000
+rows."""
 Group = Effect | CandidateTerm
 """What a group of the design's columns stands for."""
 
@@ -40,7 +43,7 @@ Group = Effect | CandidateTerm
 class WhitenedTerms:
     """Products of a channel's columns in a test, whitened.
 
-    sizes: number of columns of each candidate term, jump and form, in their order, after those of
+    sizes: number of columns of each candidate term, form and jump, in their order, after those of
         the effects.
     gram: (q, q) products; the residual is last.
     """
@@ -48,6 +51,16 @@ class WhitenedTerms:
     sizes: Mapping[CandidateTerm, int]
     gram: Array
     log_determinant: float
+
+
+@dataclass(frozen=True)
+class _WhitenedBase:
+    """Effects and candidate terms of a channel in a test: their products, and the whitened (m, q)
+    series with which those of forms and jumps are made; None where the series are too long to be
+    kept."""
+
+    terms: WhitenedTerms
+    series: Array | None
 
 
 def shape_origin(bryan_factor: float, slopes: Array) -> Array:
@@ -68,7 +81,7 @@ class LinearTest:
     sensitivities: (n, d) by channel, for each effect: change of a channel per unit of its vector.
     where: coordinates of the rows.
     slopes: (n,) by channel: derivative of a channel by the pattern angle, per rad.
-    kept: last products of a channel, with what they were computed for.
+    kept: last whitened series of a channel, with their noise.
     """
 
     test: ObservedTest
@@ -78,7 +91,7 @@ class LinearTest:
     sensitivities: Mapping[Effect, Mapping[str, Array]]
     where: Coordinates
     slopes: Mapping[str, Array]
-    kept: dict[str, tuple[Hashable, WhitenedTerms]] = field(
+    kept: dict[str, tuple[Hashable, _WhitenedBase]] = field(
         default_factory=dict, init=False, compare=False, repr=False
     )
 
@@ -91,11 +104,10 @@ class LinearTest:
         """A copy of this linear model for the test with more observed of it."""
         return replace(self, test=test, where=replace(self.where, test=test))
 
-    def responses(self, channel: str, outputs: Sequence[Jump] = ()) -> Array:
-        """(n, p + 1) sensitivities to all effects, steps of the output alone, and the residual."""
+    def responses(self, channel: str) -> Array:
+        """(n, p + 1) sensitivities to all effects, and the residual."""
         effects = [own[channel] for own in self.sensitivities.values()]
-        steps = [(channel == "gyro_angle") * jump.columns(self.where) for jump in outputs]
-        return np.column_stack([*effects, *steps, self.residual[channel]])
+        return np.column_stack([*effects, self.residual[channel]])
 
     def gyro_residual(self, channel: str) -> Array:
         """(n,) residual without what the simulated device's recorder makes of it, which is
@@ -159,40 +171,87 @@ class LinearTest:
 def whiten_terms(
     part: LinearTest,
     channel: str,
-    outputs: Sequence[Jump],
     jumps: Sequence[Jump],
     forms: Collection[Form],
     noise: CampaignNoise,
 ) -> WhitenedTerms:
-    """Products of a channel's columns. The last ones of each channel are kept: a search that begins
-    without linearization error repeats those of the one before, and designs under different noises
-    of the output angle share the other channels."""
-    if channel != "gyro_angle":
-        jumps = ()
-        forms = [f for f in forms if f.channel != "gyro_angle" or f.is_reading_error]
-    key = noise.get_own_model(channel, part.test), tuple(outputs), tuple(jumps), tuple(forms)
+    """Products of a channel's columns: of effects, candidate terms, forms and jumps."""
+    base, extra = _whiten_base(part, channel, noise), _build_extra(part, channel, jumps, forms)
+    if not extra:
+        return base.terms
+    series = base.series
+    if series is None:
+        series = whiten_rows(part, channel, _build_base(part, channel)[1], noise).series
+    added = whiten_rows(part, channel, np.column_stack([*extra.values()]), noise).series
+    across, gram = series.T @ added, base.terms.gram
+    gram = np.block(
+        [
+            [gram[:-1, :-1], across[:-1], gram[:-1, -1:]],
+            [across[:-1].T, added.T @ added, across[-1:].T],
+            [gram[-1:, :-1], across[-1:], gram[-1:, -1:]],
+        ]
+    )
+    sizes = {**base.terms.sizes, **{g: values.shape[1] for g, values in extra.items()}}
+    return WhitenedTerms(sizes, gram, base.terms.log_determinant)
+
+
+def _whiten_base(part: LinearTest, channel: str, noise: CampaignNoise) -> _WhitenedBase:
+    """What does not change from one search to the next; it is kept under the last noise."""
+    key = noise.get_own_model(channel, part.test)
     kept = part.kept.get(channel)
     if kept and kept[0] == key:
         return kept[1]
-    candidates: dict[CandidateTerm, Array] = {
-        **dict(build_term_columns(part.where, channel)),
-        **dict(build_form_columns(part.where, channel, forms)),
-    }
-    if channel == "gyro_angle":
-        candidates |= {jump: jump.columns(part.where) for jump in jumps}
-    else:
-        for group, values in build_reading_columns(part.where, forms):
-            own = candidates.get(group, np.zeros_like(values))
-            candidates[group] = part.at_measured_angle(own, values, channel)
-    responses = part.at_measured_angle(
-        part.responses(channel, outputs), part.responses("gyro_angle", outputs), channel
-    )
-    series = [responses[:, :-1], *candidates.values(), responses[:, -1]]
-    white = whiten_rows(part, channel, np.column_stack(series), noise)
-    sizes = {term: values.shape[1] for term, values in candidates.items()}
+    sizes, series = _build_base(part, channel)
+    white = whiten_rows(part, channel, series, noise)
     terms = WhitenedTerms(sizes, white.series.T @ white.series, white.log_determinant)
-    part.kept[channel] = key, terms
-    return terms
+    base = _WhitenedBase(terms, white.series if white.series.size <= MAX_KEPT_NUMBERS else None)
+    part.kept[channel] = key, base
+    return base
+
+
+def _build_base(part: LinearTest, channel: str) -> tuple[dict[CandidateTerm, int], Array]:
+    """Number of columns of each candidate term, and (n, q) columns: of effects and candidate terms,
+    and the residual."""
+    terms = dict(build_term_columns(part.where, channel))
+    if channel != "gyro_angle":
+        _add_reading_errors(terms, part, channel, dict(build_reading_columns(part.where, ())))
+    responses = part.at_measured_angle(
+        part.responses(channel), part.responses("gyro_angle"), channel
+    )
+    series = [responses[:, :-1], *terms.values(), responses[:, -1]]
+    return {term: values.shape[1] for term, values in terms.items()}, np.column_stack(series)
+
+
+def _build_extra(
+    part: LinearTest, channel: str, jumps: Sequence[Jump], forms: Collection[Form]
+) -> dict[CandidateTerm, Array]:
+    """(n, b) columns of forms, and of jumps. A step of the output alone shows in all channels,
+    which are compared at the angle that was put out; other jumps turn the pattern."""
+    if channel == "gyro_angle":
+        columns: dict[CandidateTerm, Array] = dict(build_form_columns(part.where, channel, forms))
+        return columns | {jump: jump.columns(part.where) for jump in jumps}
+    forms = [f for f in forms if f.channel != "gyro_angle" or f.is_reading_error]
+    columns = dict(build_form_columns(part.where, channel, forms))
+    read = dict(build_reading_columns(part.where, forms)) if forms else {}
+    own = {group: values for group, values in read.items() if isinstance(group, Form)}
+    _add_reading_errors(columns, part, channel, own)
+    for jump in (jump for jump in jumps if jump.kind == "output"):
+        step = jump.columns(part.where)
+        columns[jump] = part.at_measured_angle(np.zeros_like(step), step, channel)
+    return columns
+
+
+def _add_reading_errors(
+    columns: dict[CandidateTerm, Array],
+    part: LinearTest,
+    channel: str,
+    angles: Mapping[CandidateTerm, Array] | Mapping[Form, Array],
+) -> None:
+    """Add to another channel's columns what errors of the output angle make of the angle at which
+    the channel is compared."""
+    for group, values in angles.items():
+        own = columns.get(group, np.zeros_like(values))
+        columns[group] = part.at_measured_angle(own, values, channel)
 
 
 def whiten_gyro_residual(part: LinearTest, channel: str, noise: CampaignNoise) -> Array:

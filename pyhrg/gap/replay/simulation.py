@@ -34,7 +34,11 @@ STEPS_PER_ROW = 100
 """Communication steps of the sampled gyro in a row, where the row has so many control periods.
 Chosen."""
 QUASI_STEADY_STEP = 0.1
-"""Communication step of the gyro with quasi-steady loops, s. Chosen: a tenth of the usual row."""
+"""Shortest communication step of the gyro with quasi-steady loops, s. Chosen: a tenth of the usual
+row."""
+QUASI_STEADY_STEPS = 20
+"""Largest number of its communication steps in a row. Chosen: of a row of 10 s, whose inputs change
+slowly."""
 ANGLE_SHIFT = 1e-3
 """Shift of the start angle to either side for derivatives by the pattern angle, rad. Chosen."""
 STEPS_PER_FINE_ROW = 5
@@ -107,14 +111,13 @@ class Simulation:
 
     def _run_with_phase_lag(self, device: Device, inputs: ReplayInputs) -> dict[str, Array]:
         """With quasi-steady loops, and the phase loop's lag behind a frequency that drifts."""
-        without_lag = replay_inputs(self.quasi_steady, device, inputs, QUASI_STEADY_STEP)
-        drift = np.gradient(without_lag["frequency_offset"], inputs.log.interval)
-        lag = drift / device.phase_loop**2
-        if np.abs(lag).max() < MIN_PHASE_LAG:
-            return without_lag
-        log = replace(inputs.log, phase_offset=inputs.log.phase_offset - lag)
-        with_lag = replace(inputs, log=log)
-        return replay_inputs(self.quasi_steady, device, with_lag, QUASI_STEADY_STEP)
+        log = inputs.log
+        coarse = replay_inputs(self.quasi_steady, device, inputs, COARSE_STEP)
+        lag = np.gradient(coarse["frequency_offset"], log.interval) / device.phase_loop**2
+        if np.abs(lag).max() >= MIN_PHASE_LAG:
+            inputs = replace(inputs, log=replace(log, phase_offset=log.phase_offset - lag))
+        step = max(QUASI_STEADY_STEP, log.interval / QUASI_STEADY_STEPS)
+        return replay_inputs(self.quasi_steady, device, inputs, step)
 
     def _correct_angles(
         self, settled: dict[str, Array], device: Device, test: ObservedTest

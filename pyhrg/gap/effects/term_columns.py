@@ -33,6 +33,10 @@ LINEAR_HARMONICS = (2, 4)
 ELECTRODE_HARMONICS = [m for m in PATTERN_HARMONICS if m not in LINEAR_HARMONICS]
 """Harmonics of errors of pick-off and drive. A term must not stand in for an offset (2), a gain or
 an axis (4) of the catalogue."""
+PHASE_COORDINATES = ("temperature", "temperature_rate", "acceleration", "time")
+"""Coordinates that an error of the demodulation's phase may follow."""
+PHASE_FUNCTION = "temperature^1"
+"""The function of them that a phase error of the catalogue follows."""
 SPECIFIC_FORCES = [f"acceleration {axis}" for axis in "xyz"]
 
 
@@ -57,6 +61,8 @@ def generate_terms(where: Coordinates, channel: str) -> Iterator[PlacedTerm]:
         yield from _generate_misread_amplitudes(where, channel)
     if channel in ("gyro_angle", "amplitude_force", "quadrature_force"):
         yield from _generate_drive_gains(where, channel)
+    if channel in ("gyro_angle", "quadrature_force", "frequency_offset"):
+        yield from _generate_phase_errors(where, channel)
 
 
 def compute_response(
@@ -194,6 +200,25 @@ def _generate_products(where: Coordinates) -> Functions:
     yield "rate", *where.multiply("rate", rate, "the temperature")
     for words in SPECIFIC_FORCES:
         yield "acceleration", *where.multiply(words, where.factors[words], "the temperature")
+
+
+def _generate_phase_errors(where: Coordinates, channel: str) -> Iterator[PlacedTerm]:
+    """Errors of the phase, by which a part of each force acts in the place of another (Eq. 5f)."""
+    double_gain = 2 * where.nominal.bryan_factor
+    quadrature, growth = where.quadrature_force[:, None], where.growth_rate[:, None]
+    commanded = where.test.log.virtual_rotation[:, None]
+
+    def leak(block: Array) -> Array:
+        phase = _average(block)
+        if channel == "gyro_angle":
+            return -_integrate(where, quadrature * phase) / double_gain
+        return phase * (growth if channel == "frequency_offset" else double_gain * commanded)
+
+    for coordinate, function, harmonic, block in where.functions:
+        term = _make_term("gyro_angle", coordinate, function, harmonic, "phase")
+        is_single = harmonic is None and not (term.second or term.is_of_each_power_on)
+        if is_single and coordinate in PHASE_COORDINATES and function != PHASE_FUNCTION:
+            yield term, block, leak
 
 
 def _generate_electrode_errors(

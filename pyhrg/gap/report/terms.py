@@ -156,6 +156,12 @@ _FREQUENCY = Mechanism(
     "frequency over temperature", 23, THERMAL, "slow ramps up and down", ("thermal",)
 )
 _MISALIGNMENT = Mechanism("input-axis misalignment", 29, XU, "more than ten turns of the table")
+_PHASE = Mechanism(
+    "frequency split with phase error",
+    7,
+    PHASE,
+    "steps of the phase at one pattern angle, from power-on on",
+)
 NEAREST = {
     ("bias", "wave_angle"): (_DAMPING, _DRIVE_GAIN, _OFFSET),
     ("bias", "rate"): (_RANGE, _DELAY, _BRYAN),
@@ -180,6 +186,10 @@ NEAREST = {
     ("stiffness", "temperature"): (_FREQUENCY, _CHARGE),
     ("stiffness", "time"): (_CHARGE,),
     ("stiffness", "acceleration"): (_FORCE,),
+    ("electronics", "temperature"): (_OVER_TEMPERATURE, _PHASE),
+    ("electronics", "temperature_rate"): (_OVER_TEMPERATURE, _PHASE),
+    ("electronics", "acceleration"): (_PHASE, _FORCE),
+    ("electronics", "time"): (_PHASE, _CHARGE),
     ("bench", "table_angle"): (_MISALIGNMENT,),
     ("bench", "acceleration"): (_FORCE,),
 }

@@ -56,6 +56,14 @@ BY_PREFIX = {
         (Response("addedAngle"), Response("addedRate", GROWTH)),
     ),
     "drive": Acting("drive", "drive", "Angle", "arcsec", ARCSEC, (Response("addedRate", GROWTH),)),
+    "phase": Acting(
+        "electronics", "phase", "Angle", "rad", 1.0,
+        (
+            Response("addedRate", f"-gyro.quadratureForce/(2*{GAIN})"),
+            Response("addedQuadratureForce", f"2*{GAIN}*virtualRotation"),
+            Response("addedFrequency", GROWTH),
+        ),
+    ),
     "drive gain": Acting(
         "drive", "drive_gain", "DimensionlessRatio", "", 1.0,
         (

@@ -20,6 +20,8 @@ from tests.pyhrg.gap.soundness.conftest import NOMINAL
 from tests.pyhrg.records.made_up import made_up_log
 
 ROWS = 600
+STARTED = 30.0
+"""Time after which loops have forgotten their start, s."""
 MAX_UNEXPLAINED = 0.15
 """Share of an effect's power that one term may leave: part of it are biases by the same effect."""
 MAX_LEFT = 0.05
@@ -94,6 +96,33 @@ def test_one_term_explains_an_anisotropy_that_follows_a_coordinate(
     unexplained = changing - term @ np.linalg.lstsq(term, changing, rcond=None)[0]
     assert np.ptp(where.pattern_angle) > 1
     assert np.linalg.norm(unexplained) < 0.01 * np.linalg.norm(changing)
+
+
+def test_one_size_of_a_term_explains_a_phase_that_settles(simulation: Simulation) -> None:
+    """To loops that follow at once, a slow change of the phase is its effect times the coordinate:
+    the rate that it makes of the quadrature force, and what forces show at the angle."""
+    turns = np.arange(ROWS) / ROWS
+    log = made_up_log(ROWS, noise=0.0)
+    log = replace(log, table_angle=6 * turns, virtual_rotation=np.full(ROWS, 1 * DEG))
+    device = replace(NOMINAL.without_noise(), frequency_split=0.01, stiffness_axis=0.7)
+    observed = observe_test(Test("test", "static", "fit", log), device)
+    where = compute_coordinates(observed, simulation.simulate(device, observed), device)
+    effect = EFFECTS["demodulation_phase_error"]
+    constant = compute_sensitivities(simulation, device, observed, [effect])[effect]
+    slopes = simulation.differentiate_by_angle(device, observed).slopes
+    settling = np.exp(-log.time / 150)[:, None]
+    for channel in ("gyro_angle", "quadrature_force", "frequency_offset"):
+        columns = {term.function: block for term, block in build_term_columns(where, channel)}
+        term = columns["phase: settling in 150 s"]
+        if channel == "gyro_angle":
+            steps = np.diff(constant[channel], axis=0, prepend=0.0)
+            changing = np.cumsum(settling * steps, axis=0)
+        else:
+            turned = device.bryan_factor * constant["gyro_angle"]
+            changing = settling * (constant[channel] + slopes[channel][:, None] * turned)
+        rows = observed.rows[channel] & (log.time > STARTED)
+        apart = (term - changing)[rows]
+        assert np.abs(apart).max() < 0.02 * np.abs(changing[rows]).max(), channel
 
 
 @pytest.mark.parametrize(

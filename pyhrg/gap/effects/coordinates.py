@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -68,6 +68,7 @@ class Coordinates:
         is off that of the replay's energy: quadrature grows then.
     growth_rate: that the drive gives, of the replay, 1/s; 0 while the drive is off.
     quadrature_force: of the replay.
+    is_mean: whether harmonics of angles are means over the rows, not values at their ends.
     """
 
     nominal: Device
@@ -82,6 +83,21 @@ class Coordinates:
     amplitude: Array
     growth_rate: Array
     quadrature_force: Array
+    is_mean: bool = False
+
+    @cached_property
+    def means(self) -> "Coordinates":
+        """The same with means over the rows."""
+        return replace(self, is_mean=True)
+
+    def rotate(self, angle: Array) -> Array:
+        """(n, 2) cosine and sine of an angle that turns evenly between the rows' ends, rad: there,
+        or their means over the rows."""
+        if not self.is_mean:
+            return make_harmonic(angle)
+        begin = np.concatenate((angle[:1], angle[:-1]))
+        share = np.sinc((angle - begin) / (2 * math.pi))
+        return np.asarray(share[:, None] * make_harmonic((begin + angle) / 2))
 
     @cached_property
     def functions(self) -> list[tuple[str, str, int | None, Array]]:
@@ -91,7 +107,7 @@ class Coordinates:
     @cached_property
     def harmonics(self) -> dict[int, Array]:
         """(n, 2) cosine and sine of each multiple of the pattern angle."""
-        return {m: make_harmonic(m * self.pattern_angle) for m in PATTERN_HARMONICS}
+        return {m: self.rotate(m * self.pattern_angle) for m in PATTERN_HARMONICS}
 
     @cached_property
     def table_direction(self) -> Array:
@@ -165,7 +181,7 @@ def _generate_functions(where: Coordinates) -> Functions:
     for constant in WARM_UP_TIMES:
         yield "time", f"settling in {constant:g} s", None, np.exp(-time / constant)
     if (period := where.test.line_period) is not None:
-        cycle = make_harmonic(2 * math.pi * time / period)
+        cycle = where.rotate(2 * math.pi * time / period)
         yield "time", f"harmonic 1 of a period of {period:g} s", 1, cycle
     yield "time", EACH_POWER_ON, None, np.ones(len(time))
 
@@ -176,7 +192,7 @@ def _generate_angle_functions(where: Coordinates) -> Functions:
         yield "wave_angle", f"harmonic {m} of the pattern angle", m, where.harmonics[m]
     for m in TABLE_HARMONICS:
         words = f"harmonic {m} of the table angle"
-        yield "table_angle", words, m, make_harmonic(m * where.table_angle)
+        yield "table_angle", words, m, where.rotate(m * where.table_angle)
 
 
 def generate_anisotropies(where: Coordinates) -> Functions:

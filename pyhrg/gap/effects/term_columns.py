@@ -21,6 +21,7 @@ from pyhrg.gap.effects.coordinates import (
 )
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.replay.loop_response import FORCES, compute_loop_force
+from pyhrg.gap.replay.observations import MEAN_CHANNELS
 
 Columns = list[tuple[CandidateTerm, Array]]
 """Terms with their (n, b) columns in one channel."""
@@ -48,19 +49,20 @@ def build_term_columns(where: Coordinates, channel: str) -> Columns:
 
 def generate_terms(where: Coordinates, channel: str) -> Iterator[PlacedTerm]:
     """Generate the same terms, with the values of their basis functions apart from what their place
-    makes of these."""
+    makes of these. A bias and what is averaged over a row have means over the rows."""
     if channel == "gyro_angle":
         yield from _generate_angle_terms(where)
-        yield from _generate_anisotropy_bias(where)
+        yield from _generate_anisotropy_bias(where.means)
     else:
-        for coordinate, function, harmonic, block in where.functions:
+        shown = where.means if channel in MEAN_CHANNELS else where
+        for coordinate, function, harmonic, block in shown.functions:
             yield _make_term(channel, coordinate, function, harmonic), block, _show
     if channel == "amplitude":
         yield from _generate_free_decay(where)
     if channel in ("amplitude", *FORCES):
         yield from _generate_misread_amplitudes(where, channel)
     if channel in ("gyro_angle", "amplitude_force", "quadrature_force"):
-        yield from _generate_drive_gains(where, channel)
+        yield from _generate_drive_gains(where.means, channel)
     if channel in ("gyro_angle", "quadrature_force", "frequency_offset"):
         yield from _generate_phase_errors(where, channel)
 
@@ -123,9 +125,10 @@ def _generate_angle_terms(where: Coordinates) -> Iterator[PlacedTerm]:
     def count_table_from_start(block: Array) -> Array:
         return block - make_harmonic(np.zeros(1))
 
-    for coordinate, function, harmonic, block in where.functions:
+    means = (mean for *_, mean in where.means.functions)
+    for (coordinate, function, harmonic, block), mean in zip(where.functions, means, strict=True):
         key = ("gyro_angle", coordinate, function, harmonic)
-        yield _make_term(*key, "bias"), block, integrate
+        yield _make_term(*key, "bias"), mean, integrate
         if harmonic:
             is_table = coordinate == "table_angle"
             yield _make_term(*key, "angle"), block, count_table_from_start if is_table else _show

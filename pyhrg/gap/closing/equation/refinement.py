@@ -5,8 +5,9 @@ terms of the search lack this (docs/methods/equation.md, Eq. 4). What they miss 
 not be read as other terms.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -18,7 +19,7 @@ from pyhrg.gap.closing.equation.series import estimate_terms
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import NoiseEffect
 from pyhrg.gap.effects.form import build_reading_columns
-from pyhrg.gap.effects.linear_test import LinearTest, whiten_rows
+from pyhrg.gap.effects.linear_test import LinearTest, shape_origin, whiten_rows
 from pyhrg.gap.effects.sensitivities import linearize_test
 from pyhrg.gap.effects.term_columns import compute_response
 from pyhrg.gap.evidence.attribution import Attribution
@@ -26,6 +27,7 @@ from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2, rank_with_forms
 from pyhrg.gap.evidence.posterior import Posterior, compare_noises
 from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.replay.simulation import (
+    MIN_REMAINING_SHIFT,
     ChannelValues,
     Simulation,
     add_channels,
@@ -54,11 +56,12 @@ def refine_terms(
         if not attribution.settled or not _has_terms(attribution.posterior):
             break
         sizes, parts = _list_curved(attribution.posterior), list(first)
-        if sizes:
+        curved = find_curved_tests(first, sizes, attribution.channel_noise)
+        if curved:
             alone = estimate_terms(attribution.posterior.best)
             terms = make_terms(attribution.posterior, {term: alone[term] for term in sizes})
             fmu = load_closed_fmu(attribution.device, terms)
-        for i in find_moved_tests(first, sizes, attribution.channel_noise):
+        for i in curved:
             part = first[i]
             ends = put_terms(part.device, terms, part.test.test.id), part.device
             on, off = replay_sampled_together(fmu, ends, part.test.inputs)
@@ -96,12 +99,48 @@ def _list_curved(posterior: Posterior) -> dict[CandidateTerm, Array]:
 
 def find_moved_tests(parts: Sequence[LinearTest], sizes: Sizes, noise: CampaignNoise) -> list[int]:
     """Indices of the tests in which terms of these sizes change the records by a chi-square of at
-    least `NEGLIGIBLE_CHI2`. Elsewhere the FMU with them need not run."""
+    least `NEGLIGIBLE_CHI2`."""
+
+    def compute_changes(part: LinearTest) -> dict[str, Array]:
+        return {name: compute_response(part.where, name, sizes) for name in CHANNELS}
+
+    return _find_tests(parts, compute_changes, noise)
+
+
+def find_curved_tests(parts: Sequence[LinearTest], sizes: Sizes, noise: CampaignNoise) -> list[int]:
+    """Indices of the tests in which the linear response to terms of these sizes misses a chi-square
+    of at least `NEGLIGIBLE_CHI2`. Elsewhere the FMU with them need not run."""
+    return _find_tests(parts, partial(estimate_missed, sizes=sizes), noise) if sizes else []
+
+
+def estimate_missed(part: LinearTest, sizes: Sizes) -> dict[str, Array]:
+    """(n,) by channel: what the linear response to terms of these sizes misses, because they turn
+    the pattern (docs/methods/equation.md, Eq. 3a)."""
+    where, slopes = part.where, part.slopes["gyro_angle"]
+    growth = np.maximum(shape_origin(part.bryan_factor, slopes), MIN_REMAINING_SHIFT)
+    angle = compute_response(where, "gyro_angle", sizes)
+    turned = replace(where, pattern_angle=where.pattern_angle - part.bryan_factor * angle)
+    missed = {
+        name: compute_response(turned, name, sizes) - compute_response(where, name, sizes)
+        for name in CHANNELS
+    }
+    grown = growth * np.cumsum(np.diff(angle, prepend=0.0) / growth)
+    return missed | {"gyro_angle": missed["gyro_angle"] + grown - angle}
+
+
+def _find_tests(
+    parts: Sequence[LinearTest],
+    compute: Callable[[LinearTest], Mapping[str, Array]],
+    noise: CampaignNoise,
+) -> list[int]:
+    """Indices of the tests in which (n,) changes by channel are not negligible."""
 
     def measure(part: LinearTest) -> float:
-        changes = {name: compute_response(part.where, name, sizes)[:, None] for name in CHANNELS}
-        white = [whiten_rows(part, name, c, noise).series for name, c in changes.items() if c.any()]
-        return sum(float((series**2).sum()) for series in white)
+        changes = compute(part)
+        rows = [
+            whiten_rows(part, n, c[:, None], noise).series for n, c in changes.items() if c.any()
+        ]
+        return sum(float((series**2).sum()) for series in rows)
 
     return [i for i, part in enumerate(parts) if measure(part) >= NEGLIGIBLE_CHI2]
 

@@ -98,6 +98,24 @@ def test_one_term_explains_an_anisotropy_that_follows_a_coordinate(
     assert np.linalg.norm(unexplained) < 0.01 * np.linalg.norm(changing)
 
 
+def test_a_harmonic_of_a_turning_pattern_is_averaged_over_the_rows(
+    simulation: Simulation,
+) -> None:
+    """The mean over each row, beside that of a thousand values in it."""
+    log = replace(made_up_log(ROWS, noise=0.0), table_angle=0.3 * np.arange(1, ROWS + 1))
+    device = NOMINAL.without_noise()
+    observed = observe_test(Test("test", "rate", "fit", log), device)
+    where = compute_coordinates(observed, simulation.simulate(device, observed), device)
+    angle = where.pattern_angle
+    middles = (np.arange(1000) + 0.5) / 1000
+    inside = angle[9:19, None] + np.diff(angle)[9:19, None] * middles
+    assert abs(np.diff(angle)[9:19]).min() > 0.05
+    for harmonic in (1, 6, 18):
+        expected = [np.cos(harmonic * inside).mean(axis=1), np.sin(harmonic * inside).mean(axis=1)]
+        shown = where.means.harmonics[harmonic][10:20]
+        np.testing.assert_allclose(shown, np.transpose(expected), atol=1e-6)
+
+
 def test_one_size_of_a_term_explains_a_phase_that_settles(simulation: Simulation) -> None:
     """To loops that follow at once, a slow change of the phase is its effect times the coordinate:
     the rate that it makes of the quadrature force, and what forces show at the angle."""

@@ -16,12 +16,13 @@ from pyhrg.gap.closing.equation.closed_class import write_class
 from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu, put_terms
 from pyhrg.gap.closing.equation.places import find_acting
 from pyhrg.gap.closing.equation.proposal import Coefficient, list_coefficients
+from pyhrg.gap.closing.equation.refinement import estimate_missed
 from pyhrg.gap.closing.prediction import predict
 from pyhrg.gap.diagnose import CampaignDiagnosis, diagnose
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Catalogue
 from pyhrg.gap.effects.jump import Jump, make_bias_jump
-from pyhrg.gap.effects.term_columns import build_term_columns
+from pyhrg.gap.effects.term_columns import build_term_columns, compute_response
 from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 from pyhrg.gap.findings.term import Formula, Term
 from pyhrg.gap.replay.observations import CHANNELS, observe_test
@@ -66,6 +67,28 @@ def test_the_sixth_harmonic_is_proposed_alone(diagnosed: CampaignDiagnosis) -> N
         low, high = term.interval_95[name]
         assert low <= truth <= high
         assert high - low < 0.02
+
+
+def test_what_its_linear_response_misses_is_foreseen(
+    diagnosed: CampaignDiagnosis, everything: Everything
+) -> None:
+    """A harmonic 2000 times as large turns the pattern by 10 mrad: the FMU with it, less the linear
+    response, beside what is foreseen."""
+    (term,) = diagnosed.diagnosis.terms
+    large = replace(term, parameters={n: 2000 * v for n, v in term.parameters.items()})
+    (candidate,) = (
+        c for c, t in everything[0].items() if t.parameters.keys() == term.parameters.keys()
+    )
+    own = list_coefficients(candidate)
+    size = np.array([large.parameters[c.name] * c.factor for c in own])
+    part = max(diagnosed.attribution.parts, key=lambda p: len(p.test.log.time))
+    ends = put_terms(part.device, [large], part.test.test.id), part.device
+    on, off = (replay_sampled(everything[1], d, part.test.inputs)["gyro_angle"] for d in ends)
+    linear = compute_response(part.where, "gyro_angle", {candidate: size})
+    missed = on - off - linear
+    foreseen = estimate_missed(part, {candidate: size})["gyro_angle"]
+    assert GAIN * np.abs(linear).max() > 0.01
+    assert np.linalg.norm(foreseen - missed) < 0.2 * np.linalg.norm(missed)
 
 
 def test_the_held_out_gap_shrinks(diagnosed: CampaignDiagnosis) -> None:

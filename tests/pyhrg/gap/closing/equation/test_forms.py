@@ -23,6 +23,11 @@ from pyhrg.gap.replay.observations import observe_test
 from pyhrg.records.campaign import Campaign
 from tests.pyhrg.gap.soundness.conftest import NOMINAL, error_free  # noqa: F401 (a fixture)
 
+QUADRATURE_FORCE = 1e-3
+"""Of the replay, 1/s."""
+LEAK = f"-gyro.quadratureForce/(2*{GAIN})"
+"""Rate that an error of the phase makes of it, per radian."""
+
 
 def _evaluate(modelica: str, where: Coordinates) -> np.ndarray:
     log = where.test.log
@@ -47,7 +52,13 @@ def _evaluate(modelica: str, where: Coordinates) -> np.ndarray:
 
 
 @pytest.mark.parametrize("test_id", ["warm", "tumble", "virtual", "sweep"])
-def test_an_expression_gives_its_columns(error_free: Campaign, test_id: str) -> None:  # noqa: F811
+def test_an_expression_gives_its_columns(
+    error_free: Campaign,  # noqa: F811
+    monkeypatch: pytest.MonkeyPatch,
+    test_id: str,
+) -> None:
+    """Here all columns have values at the rows' ends, as the expressions do."""
+    monkeypatch.setattr(Coordinates, "means", property(lambda where: where))
     test = next(test for test in error_free.tests if test.id == test_id)
     observed = replace(observe_test(test, NOMINAL), line_period=23.7021)
     n = len(test.log.time)
@@ -55,7 +66,7 @@ def test_an_expression_gives_its_columns(error_free: Campaign, test_id: str) -> 
         "wave_angle": np.linspace(0.2, 1.9, n),
         "amplitude": np.full(n, 0.9),
         "amplitude_force": np.full(n, 1 / 450),
-        "quadrature_force": np.zeros(n),
+        "quadrature_force": np.full(n, QUADRATURE_FORCE),
         "quadrature": np.full(n, 0.1),
     }
     where = compute_coordinates(observed, replay, NOMINAL)
@@ -75,11 +86,16 @@ def _respond(term: CandidateTerm, channel: str, basis: Basis, where: Coordinates
     """What a channel shows of a term, by the variables to which the written class adds it."""
     log, gain = where.test.log, where.nominal.bryan_factor
     driven = log.drive_on * 1 / 450
-    numbers = {"": 1.0, GROWTH: driven, "-virtualRotation": -log.virtual_rotation,
-               "-gyro.amplitudeForce": -driven, f"1/(2*{GAIN})": 1 / (2 * gain),
-               f"-2*{GAIN}*virtualRotation": -2 * gain * log.virtual_rotation,
-               f"-4*{GAIN}^2*virtualRotation": -4 * gain**2 * log.virtual_rotation,
-               }  # fmt: skip
+    numbers = {
+        "": 1.0,
+        GROWTH: driven,
+        LEAK: -QUADRATURE_FORCE / (2 * gain),
+        "-virtualRotation": -log.virtual_rotation,
+        "-gyro.amplitudeForce": -driven,
+        f"1/(2*{GAIN})": 1 / (2 * gain),
+        f"-2*{GAIN}*virtualRotation": -2 * gain * log.virtual_rotation,
+        f"-4*{GAIN}^2*virtualRotation": -4 * gain**2 * log.virtual_rotation,
+    }
     added = dict.fromkeys(("addedRate", "addedAngle", "addedAmplitudeForce"), np.zeros(len(driven)))
     for response in find_acting(term).responses:
         if response.variable in added:
@@ -87,7 +103,7 @@ def _respond(term: CandidateTerm, channel: str, basis: Basis, where: Coordinates
             expression = write_response(basis.modelica, response._replace(factor=""))
             values = np.broadcast_to(basis.scale * _evaluate(expression, where), len(driven))
             before = np.append(values[:1], values[:-1])
-            values = (values + before) / 2 if response.factor == GROWTH else values
+            values = (values + before) / 2 if response.factor in (GROWTH, LEAK) else values
             added[response.variable] = added[response.variable] + values * factor
     if channel == "amplitude_force":
         return added["addedAmplitudeForce"]

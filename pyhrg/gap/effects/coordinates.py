@@ -87,7 +87,7 @@ class Coordinates:
 
     @cached_property
     def means(self) -> "Coordinates":
-        """The same with means over the rows."""
+        """These coordinates, harmonics of angles averaged over the rows."""
         return replace(self, is_mean=True)
 
     def rotate(self, angle: Array) -> Array:

@@ -145,8 +145,7 @@ def rank_sets(
 
     everything = range(len(groups))
     climb(everything, climb(named, starts))
-    if len(max(fits, key=lambda key: fits[key][1])) >= MAX_GROUPS:  # it could not be extended
-        climb(everything, starts)
+    climb(everything, starts)  # sets of effects may have filled the beam
     return _normalize(list(fits.values()))
 
 

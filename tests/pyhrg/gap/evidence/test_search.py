@@ -51,6 +51,24 @@ def test_a_swarm_of_effects_does_not_keep_a_term_out() -> None:
     assert rank_sets(design_of({**columns, term: column}, residual)).best.groups == (term,)
 
 
+def test_sets_of_effects_that_fill_the_beam_do_not_keep_a_term_out() -> None:
+    """Four effects explain most of what a term explains beside a fifth effect, and so do many sets
+    of effects that are nearly the same."""
+    generator = np.random.default_rng(7)
+    effects = [effect for effect in DETERMINISTIC if effect.size == 1]
+    directions = generator.standard_normal((ROWS, 5)) / np.sqrt(ROWS)
+    columns = {
+        effect: directions[:, [i % 4]] + 0.01 * generator.standard_normal((ROWS, 1)) / np.sqrt(ROWS)
+        for i, effect in enumerate(effects[1:])
+    }
+    columns |= {effects[0]: directions[:, [4]]}
+    term = CandidateTerm("gyro_angle", "acceleration", "bias: acceleration z squared")
+    columns[term] = directions[:, :4].sum(axis=1, keepdims=True) / 2
+    residual = 60 * columns[term][:, 0] + 10 * directions[:, 4]
+    ranking = rank_sets(design_of(columns, residual + generator.standard_normal(ROWS)))
+    assert set(ranking.best.groups) == {term, effects[0]}
+
+
 def test_an_effect_never_shares_its_function_with_a_term() -> None:
     """Together they explain more than either: the effect's column is noisier than the term's, and
     the residual bends a little. The best set has the effect alone, and no set has both; another

@@ -12,7 +12,7 @@ from pyhrg.gap.whitening.whitening import rise_behind_lag
 SHORTEST_SHARE = 1 / 16
 """Shortest duration of the means that are compared, over the thermal lag. Chosen: wandering of the
 temperature is slower, and shorter means show white noise."""
-MIN_DIFFERENCES = 3
+MIN_MEAN_DIFFERENCES = 3
 """Fewest differences of means that a test counts with. Chosen: a constant and an offset were
 fitted to it."""
 
@@ -56,7 +56,7 @@ def _measure_walks(
     pairs: Sequence[tuple[ObservedTest, Array]], white: Mapping[float, float], duration: float
 ) -> list[float]:
     """Variance of the random walk in a second that makes the differences of successive means over
-    a duration, less those of white noise; of each test with at least `MIN_DIFFERENCES`."""
+    a duration, less those of white noise; of each test with at least `MIN_MEAN_DIFFERENCES`."""
     variances = []
     for test, series in pairs:
         interval = test.log.interval
@@ -67,7 +67,7 @@ def _measure_walks(
         means = np.where(2 * known >= count, sums / np.maximum(known, 1), np.nan)
         differences = np.diff(means)
         differences = differences[np.isfinite(differences)]
-        if len(differences) >= MIN_DIFFERENCES:
+        if len(differences) >= MIN_MEAN_DIFFERENCES:
             shown = estimate_robust_deviation(differences) ** 2 / 2
             variances.append(3 * (shown - white[interval] ** 2 / count) / (count * interval))
     return variances

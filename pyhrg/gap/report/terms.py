@@ -17,6 +17,7 @@ from pyhrg.gap.closing.equation.proposal import (
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.findings.term import Term
 from pyhrg.gap.report.words import (
+    PARTS,
     PLACES,
     build_table,
     format_percent,
@@ -244,7 +245,8 @@ def describe_term(term: Term) -> str:
 
 def name_term(term: Term) -> str:
     """Place and function of a term."""
-    return f"{PLACES[term.place]}: {term.function.rpartition(': ')[2]}"
+    part, _, function = term.function.rpartition(": ")
+    return f"{PARTS.get(part, PLACES[term.place])}: {function}"
 
 
 def _format_value(term: Term, coefficient: Coefficient) -> str:

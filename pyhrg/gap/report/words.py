@@ -55,6 +55,8 @@ PLACES = {
     "bench": "Bench",
 }
 """Place of a proposed term."""
+PARTS = {"phase": "Electronics, phase", "drive gain": "Drive, gain"}
+"""Part of the place at which a term acts, by the words before its function."""
 TERM_UNITS = {
     "deg_h": "deg/h",
     "K2": "K²",

@@ -92,9 +92,6 @@ class Meter:
     tests: Sequence[tuple[Course, float]]
     instruments: Instruments
     laboratories: Sequence[Laboratory] = ()
-    _sensitivities: dict[Effect, Array] = field(
-        default_factory=dict, init=False, repr=False, compare=False
-    )
     _known_shapes: dict[NoiseModel, tuple[Array, Array]] = field(
         default_factory=dict, init=False, repr=False, compare=False
     )
@@ -136,14 +133,13 @@ class Meter:
 
     def _compute_sensitivities(self, effects: Sequence[Effect]) -> Array:
         """(n, p) sensitivities to the components of the effects, each of length 1."""
-        for effect in effects:
-            if effect not in self._sensitivities:
-                here, step = effect.vector(self.nominal), STEP * effect.scale
-                devices = [effect.put(self.nominal, here + step * u) for u in np.eye(effect.size)]
-                columns = np.column_stack([self.residual(device) for device in devices])
-                lengths = np.linalg.norm(columns, axis=0)
-                self._sensitivities[effect] = columns / np.where(lengths, lengths, 1.0)
-        return np.column_stack([self._sensitivities[effect] for effect in effects])
+        steps = [
+            effect.put(self.nominal, effect.vector(self.nominal) + STEP * effect.scale * unit)
+            for effect in effects
+            for unit in np.eye(effect.size)
+        ]
+        columns = [self.residual(device) for device in steps]
+        return np.column_stack([c / (np.linalg.norm(c) or 1.0) for c in columns])
 
     def residual(self, device: Device, disturbance: Disturbance = NOTHING) -> Array:
         """(n,) whitened residual of all tests and channels, known parameters integrated out

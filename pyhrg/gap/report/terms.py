@@ -187,21 +187,21 @@ NEAREST = {
     ("stiffness", "temperature"): (_FREQUENCY, _CHARGE),
     ("stiffness", "time"): (_CHARGE,),
     ("stiffness", "acceleration"): (_FORCE,),
-    ("electronics", "temperature"): (_OVER_TEMPERATURE, _PHASE),
-    ("electronics", "temperature_rate"): (_OVER_TEMPERATURE, _PHASE),
-    ("electronics", "acceleration"): (_PHASE, _FORCE),
-    ("electronics", "time"): (_PHASE, _CHARGE),
+    ("phase", "temperature"): (_OVER_TEMPERATURE, _PHASE),
+    ("phase", "temperature_rate"): (_OVER_TEMPERATURE, _PHASE),
+    ("phase", "acceleration"): (_PHASE, _FORCE),
+    ("phase", "time"): (_PHASE, _CHARGE),
     ("bench", "table_angle"): (_MISALIGNMENT,),
     ("bench", "acceleration"): (_FORCE,),
 }
-"""Nearest mechanisms by place and coordinate, the nearest first."""
+"""Nearest mechanisms by place, or part of it (`PARTS`), and coordinate, the nearest first."""
 
 
 def find_nearest(term: Term) -> tuple[Mechanism, ...]:
     """Nearest known mechanisms of a term, the nearest first; none where the catalogue has none."""
-    return next(
-        (NEAREST[term.place, c] for c in term.coordinates if (term.place, c) in NEAREST), ()
-    )
+    part = term.function.rpartition(": ")[0]
+    keys = ((where, c) for where in (part, term.place) for c in term.coordinates)
+    return next((NEAREST[key] for key in keys if key in NEAREST), ())
 
 
 NO_TERM = (

@@ -71,7 +71,8 @@ def compute_response(
     where: Coordinates, channel: str, sizes: Mapping[CandidateTerm, Array]
 ) -> Array:
     """(n,) response of a channel to terms of these sizes, (d,) each, in units of their columns."""
-    columns = dict(build_term_columns(where, channel))
+    terms = generate_terms(where, channel)
+    columns = {term: respond(block) for term, block, respond in terms if term in sizes}
     columns |= {t: t.columns(where) for t in sizes if isinstance(t, Jump) and t.channel == channel}
     own = [columns[term] @ size for term, size in sizes.items() if term in columns]
     return np.asarray(sum(own, np.zeros(len(where.pattern_angle))))

@@ -45,6 +45,8 @@ GROWTH = "driveOn*gyro.amplitudeForce"
 """Growth rate that the drive gives, in the written class."""
 GAIN = "gyro.controller.readout.bryanFactor"
 """Angular gain, in the written class."""
+LEAK = f"-gyro.quadratureForce/(2*{GAIN})"
+"""Rate that an error of the phase makes of the quadrature force, per radian, in it."""
 BIAS = Acting("bias", "bias", "AngularVelocity", "deg_h", DEG_PER_H, (Response("addedRate"),))
 READOUT = Acting("readout", "readout", "Angle", "arcsec", ARCSEC, (Response("addedAngle"),))
 BY_PREFIX = {
@@ -59,7 +61,7 @@ BY_PREFIX = {
     "phase": Acting(
         "electronics", "phase", "Angle", "rad", 1.0,
         (
-            Response("addedRate", f"-gyro.quadratureForce/(2*{GAIN})"),
+            Response("addedRate", LEAK),
             Response("addedQuadratureForce", f"2*{GAIN}*virtualRotation"),
             Response("addedFrequency", GROWTH),
         ),

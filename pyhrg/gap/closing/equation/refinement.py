@@ -118,12 +118,10 @@ def estimate_missed(part: LinearTest, sizes: Sizes) -> dict[str, Array]:
     the pattern (docs/methods/equation.md, Eq. 3a)."""
     where, slopes = part.where, part.slopes["gyro_angle"]
     growth = np.maximum(shape_origin(part.bryan_factor, slopes), MIN_REMAINING_SHIFT)
-    angle = compute_response(where, "gyro_angle", sizes)
+    linear = {name: compute_response(where, name, sizes) for name in CHANNELS}
+    angle = linear["gyro_angle"]
     turned = replace(where, pattern_angle=where.pattern_angle - part.bryan_factor * angle)
-    missed = {
-        name: compute_response(turned, name, sizes) - compute_response(where, name, sizes)
-        for name in CHANNELS
-    }
+    missed = {name: compute_response(turned, name, sizes) - own for name, own in linear.items()}
     grown = growth * np.cumsum(np.diff(angle, prepend=0.0) / growth)
     return missed | {"gyro_angle": missed["gyro_angle"] + grown - angle}
 
@@ -136,11 +134,9 @@ def _find_tests(
     """Indices of the tests in which (n,) changes by channel are not negligible."""
 
     def measure(part: LinearTest) -> float:
-        changes = compute(part)
-        rows = [
-            whiten_rows(part, n, c[:, None], noise).series for n, c in changes.items() if c.any()
-        ]
-        return sum(float((series**2).sum()) for series in rows)
+        changes = {name: change[:, None] for name, change in compute(part).items() if change.any()}
+        white = [whiten_rows(part, *change, noise).series for change in changes.items()]
+        return sum(float((series**2).sum()) for series in white)
 
     return [i for i, part in enumerate(parts) if measure(part) >= NEGLIGIBLE_CHI2]
 

@@ -9,7 +9,7 @@ from pyhrg.bench.readings.first_order_lag import follow_with_lag
 from pyhrg.common.units import DEG
 from pyhrg.gap.closing.equation.closed_class import write_response
 from pyhrg.gap.closing.equation.forms import Basis, express_term
-from pyhrg.gap.closing.equation.places import GAIN, GROWTH, find_acting
+from pyhrg.gap.closing.equation.places import GAIN, GROWTH, LEAK, find_acting
 from pyhrg.gap.closing.equation.proposal import list_coefficients
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.coordinates import (
@@ -25,8 +25,6 @@ from tests.pyhrg.gap.soundness.conftest import NOMINAL, error_free  # noqa: F401
 
 QUADRATURE_FORCE = 1e-3
 """Of the replay, 1/s."""
-LEAK = f"-gyro.quadratureForce/(2*{GAIN})"
-"""Rate that an error of the phase makes of it, per radian."""
 
 
 def _evaluate(modelica: str, where: Coordinates) -> np.ndarray:

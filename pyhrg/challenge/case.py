@@ -26,7 +26,8 @@ from pyhrg.device import device_file
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.gap.effects.catalogue import EFFECT_NAMES
-from pyhrg.gap.replay.simulation import Simulation, is_short
+from pyhrg.gap.replay.sampled import is_short
+from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records.campaign import Campaign, Test
 
 STEPS = 100

@@ -11,6 +11,7 @@ from pyhrg.gap.evidence.noise.noise_hypothesis import AddedNoise
 from pyhrg.gap.evidence.noise.quantization import find_quantization, put_quantization
 from pyhrg.gap.evidence.noise.unstated_noise import complete_stated_noise, require_noise
 from pyhrg.gap.replay.free_pattern import truncate_free_pattern
+from pyhrg.gap.replay.inputs.inputs import has_start_angle, settle_inputs
 from pyhrg.gap.replay.noise_growth import add_noise_growth
 from pyhrg.gap.replay.observations import ObservedTest, add_reading_noise, observe_test
 from pyhrg.gap.replay.reading_noise import (
@@ -18,7 +19,6 @@ from pyhrg.gap.replay.reading_noise import (
     describe_reading_noise,
     estimate_reading_noise,
 )
-from pyhrg.gap.replay.replay import has_start_angle, settle_inputs
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.gap.soundness import nominal_device, screen_campaign
 from pyhrg.gap.soundness.fault import Fault, list_reading_faults

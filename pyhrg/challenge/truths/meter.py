@@ -21,6 +21,7 @@ from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD
 from pyhrg.gap.effects.catalogue import DETERMINISTIC, EFFECTS, NOISE_EFFECTS, Effect, NoiseEffect
 from pyhrg.gap.replay.free_pattern import NOISE_GROWTH_LIMIT
+from pyhrg.gap.replay.inputs.inputs import ReplayInputs, prepare_inputs
 from pyhrg.gap.replay.observations import (
     CHANNELS,
     COARSE_STEP,
@@ -28,8 +29,9 @@ from pyhrg.gap.replay.observations import (
     observe_test,
     see_angles,
 )
-from pyhrg.gap.replay.replay import ReplayInputs, prepare_inputs, replay_inputs
-from pyhrg.gap.replay.simulation import Simulation, compute_carrier_terms, is_short
+from pyhrg.gap.replay.replay import replay_inputs
+from pyhrg.gap.replay.sampled import is_short
+from pyhrg.gap.replay.simulation import Simulation, compute_carrier_terms
 from pyhrg.gap.whitening.whitening import NoiseModel, whiten
 from pyhrg.records import Log
 from pyhrg.records.campaign import Test

@@ -16,10 +16,11 @@ from pyhrg.gap.closing.closing import read_identified_device
 from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu, put_terms
 from pyhrg.gap.findings.diagnosis import Diagnosis, DiagnosisError
 from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
+from pyhrg.gap.replay.inputs.inputs import has_start_angle
 from pyhrg.gap.replay.observations import observe_test
 from pyhrg.gap.replay.reading_noise import estimate_reading_noise
-from pyhrg.gap.replay.replay import has_start_angle
-from pyhrg.gap.replay.simulation import Simulation, load_simulation, replay_sampled
+from pyhrg.gap.replay.sampled import replay_sampled
+from pyhrg.gap.replay.simulation import Simulation, load_simulation
 from pyhrg.gap.soundness import nominal_device
 from pyhrg.gap.soundness.glitches import mend_inputs
 from pyhrg.gap.soundness.inputs import complete_inputs

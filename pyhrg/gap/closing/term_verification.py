@@ -16,7 +16,8 @@ from pyhrg.gap.closing.verification import SEED, estimate_noise_floor, measure_d
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.findings.term import Term
 from pyhrg.gap.replay.observations import ObservedTest
-from pyhrg.gap.replay.simulation import Simulation, replay_sampled_together
+from pyhrg.gap.replay.sampled import replay_sampled_together
+from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.gap.whitening.campaign_noise import CampaignNoise, whiten_finite
 
 UPPER_QUANTILE = 0.975

@@ -13,8 +13,8 @@ from pyhrg.common.caches.compiled import compile_loop
 from pyhrg.common.units import ARCSEC
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import EACH_POWER_ON
+from pyhrg.gap.replay.inputs.thermometer import compute_slopes
 from pyhrg.gap.replay.observations import ObservedTest
-from pyhrg.gap.replay.thermometer import compute_slopes
 from pyhrg.gap.soundness.fault import TABLE_RIPPLES
 
 PATTERN_HARMONICS = range(1, 19)

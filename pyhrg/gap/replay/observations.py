@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
+from pyhrg.gap.replay.inputs.inputs import ReplayInputs, prepare_inputs
+from pyhrg.gap.replay.inputs.table_steps import ERROR_PER_STEP, find_turning_rows
 from pyhrg.gap.replay.loop_response import FORCES
 from pyhrg.gap.replay.reading_noise import ReadingNoise
-from pyhrg.gap.replay.replay import HELD_COLUMNS, ReplayInputs, prepare_inputs
-from pyhrg.gap.replay.table_steps import ERROR_PER_STEP, find_turning_rows
+from pyhrg.gap.replay.replay import HELD_COLUMNS
 from pyhrg.records import Log
 from pyhrg.records.campaign import Test
 

@@ -16,7 +16,7 @@ from scipy.optimize import nnls
 from pyhrg.common.arrays import Array
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.common.units import ARCSEC
-from pyhrg.gap.replay.table_steps import ERROR_PER_STEP, find_table_step
+from pyhrg.gap.replay.inputs.table_steps import ERROR_PER_STEP, find_table_step
 from pyhrg.records import Log
 
 DIFFERENCE_ORDER = 4

@@ -11,8 +11,9 @@ import numpy as np
 from fmu_build.bundle import build_fmu
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
-from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
+from pyhrg.fmu import GyroFmu
 from pyhrg.gap.replay import replay as replays
+from pyhrg.gap.replay.inputs.inputs import ReplayInputs
 from pyhrg.gap.replay.loop_response import FORCES, apply_loop_response
 from pyhrg.gap.replay.observations import (
     CHANNELS,
@@ -22,7 +23,8 @@ from pyhrg.gap.replay.observations import (
     ObservedTest,
     compute_settling_time,
 )
-from pyhrg.gap.replay.replay import ANGLES, ReplayInputs, replay_inputs
+from pyhrg.gap.replay.replay import ANGLES, replay_inputs
+from pyhrg.gap.replay.sampled import choose_sampled_step, is_short, replay_sampled
 from pyhrg.theory.closed_forms import beyond_the_average
 
 ChannelValues = Mapping[str, Array]
@@ -30,9 +32,6 @@ ChannelValues = Mapping[str, Array]
 
 LOOP_FIELDS = ("amplitude_loop", "quadrature_loop", "phase_loop")
 """Parameters that quasi-steady loops do not have: their response is a transfer function's."""
-STEPS_PER_ROW = 100
-"""Communication steps of the sampled gyro in a row, where the row has so many control periods.
-Chosen."""
 QUASI_STEADY_STEP = 0.1
 """Shortest communication step of the gyro with quasi-steady loops, s. Chosen: a tenth of the usual
 row."""
@@ -43,9 +42,6 @@ ANGLE_SHIFT = 1e-3
 """Shift of the start angle to either side for derivatives by the pattern angle, rad. Chosen."""
 STEPS_PER_FINE_ROW = 5
 """Communication steps in a row shorter than `FINE_ROW`: quasi-steady loops lag by three. Chosen."""
-SHORT_TEST = 60.0
-"""Longest test with rows shorter than `FINE_ROW`, s, that always runs with sampled loops.
-Chosen."""
 MIN_REMAINING_SHIFT = 0.5
 """Share of a shift of the start angle that must remain for a derivative by it. Chosen."""
 MIN_PHASE_LAG = 1e-9
@@ -212,38 +208,13 @@ class Simulation:
             return []
         log = runs[0][1].log
         if is_short(len(log.time), log.interval):
-            step = _choose_sampled_step(log.interval, STEPS_PER_FINE_ROW)
+            step = choose_sampled_step(log.interval, STEPS_PER_FINE_ROW)
             return replays.replay_together(self.sampled, runs, step)
         if not log.drive_on.all():  # a free pattern turns fast
             step = QUASI_STEADY_STEP
         else:
             step = log.interval / STEPS_PER_FINE_ROW if log.interval < FINE_ROW else COARSE_STEP
         return replays.replay_together(self.quasi_steady, runs, step)
-
-
-def replay_sampled(fmu: GyroFmu, device: Device, inputs: ReplayInputs) -> dict[str, Array]:
-    """A replay with sampled loops."""
-    return replay_sampled_together(fmu, [device], inputs)[0]
-
-
-def replay_sampled_together(
-    fmu: GyroFmu, devices: Sequence[Device], inputs: ReplayInputs
-) -> list[dict[str, Array]]:
-    """`replay_sampled` of several devices."""
-    step = _choose_sampled_step(inputs.log.interval)
-    return replays.replay_together(fmu, [(device, inputs) for device in devices], step)
-
-
-def _choose_sampled_step(interval: float, steps: int = STEPS_PER_ROW) -> float:
-    """Communication step of about so many in a row, a whole number of control periods, s."""
-    periods = round(interval / CONTROL_PERIOD)
-    each = next(n for n in range(max(periods // steps, 1), 0, -1) if periods % n == 0)
-    return each * CONTROL_PERIOD
-
-
-def is_short(rows: int, interval: float) -> bool:
-    """Whether a test of so many rows, of an interval in s, always runs with sampled loops."""
-    return interval < FINE_ROW and rows * interval <= SHORT_TEST
 
 
 def _find_sections(transient: Mask, apart: int) -> list[slice]:

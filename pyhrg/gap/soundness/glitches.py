@@ -8,6 +8,7 @@ from scipy.ndimage import binary_dilation
 from pyhrg.common.arrays import Array
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
+from pyhrg.gap.replay.inputs.inputs import prepare_inputs
 from pyhrg.gap.replay.loop_response import FORCES
 from pyhrg.gap.replay.observations import (
     CHANNELS,
@@ -17,7 +18,6 @@ from pyhrg.gap.replay.observations import (
     find_table_acceleration,
     find_undisturbed_rows,
 )
-from pyhrg.gap.replay.replay import prepare_inputs
 from pyhrg.gap.soundness.angles import compute_departure
 from pyhrg.gap.soundness.exclusion import (
     Exclusion,

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pyhrg.common.arrays import Array
+from pyhrg.gap.replay.inputs.thermometer import SLOPE_TIME
 from pyhrg.gap.replay.observations import Mask, ObservedTest
-from pyhrg.gap.replay.thermometer import SLOPE_TIME
 from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel, whiten
 
 THERMOMETER_CORRELATION = 3.0

@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 from pyhrg.common.arrays import Array
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
+from pyhrg.gap.replay.inputs.inputs import list_measured_temperatures
+from pyhrg.gap.replay.inputs.thermometer import estimate_reading_steps
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.reading_noise import MIN_DIFFERENCES, OUTLIER_SIGMA
-from pyhrg.gap.replay.replay import list_measured_temperatures
-from pyhrg.gap.replay.thermometer import estimate_reading_steps
 from pyhrg.gap.whitening.campaign_noise import CampaignNoise
 from pyhrg.gap.whitening.wander import estimate_wander
 from pyhrg.gap.whitening.whitening import NoiseModel

@@ -10,9 +10,9 @@ from pyhrg.common.units import ARCSEC
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import NOISE_EFFECTS, NOISES, NoiseEffect
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise
+from pyhrg.gap.replay.inputs.table_steps import find_lattice_step
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.reading_noise import REST_RATE
-from pyhrg.gap.replay.table_steps import find_lattice_step
 
 QUANTIZATION = NOISE_EFFECTS["angle_quantisation"]
 MIN_STEP, MAX_STEP = 0.01 * ARCSEC, 10 * ARCSEC

@@ -13,7 +13,8 @@ from pyhrg.challenge.campaigns.instruments import Instruments
 from pyhrg.common.units import ARCSEC, DEG_PER_H
 from pyhrg.device import device_file
 from pyhrg.fmu import GyroFmu
-from pyhrg.gap.replay.replay import HELD_COLUMNS, prepare_inputs
+from pyhrg.gap.replay.inputs.inputs import prepare_inputs
+from pyhrg.gap.replay.replay import HELD_COLUMNS
 from pyhrg.records import Log, campaign
 from tests.pyhrg.challenge.short import GYRO, resting, turning
 

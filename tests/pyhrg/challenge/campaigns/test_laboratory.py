@@ -9,7 +9,8 @@ from pyhrg.challenge.campaigns.laboratory import LEVELS, Laboratory, draw_labora
 from pyhrg.common.units import HZ
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import KNOWN
-from pyhrg.gap.replay.replay import prepare_inputs, read_change
+from pyhrg.gap.replay.inputs.inputs import prepare_inputs
+from pyhrg.gap.replay.replay import read_change
 from tests.pyhrg.records.made_up import made_up_log
 
 ROWS = 1500

@@ -15,6 +15,7 @@ from pyhrg.gap.effects.catalogue import EFFECTS
 from pyhrg.gap.effects.sensitivities import compute_sensitivities, linearize_test
 from pyhrg.gap.preparation import describe_preparation
 from pyhrg.gap.replay.free_pattern import truncate_free_pattern
+from pyhrg.gap.replay.inputs.inputs import estimate_start_angle
 from pyhrg.gap.replay.loop_response import compute_loop_error, compute_loop_force
 from pyhrg.gap.replay.observations import (
     CHANNELS,
@@ -22,8 +23,8 @@ from pyhrg.gap.replay.observations import (
     compute_settling_time,
     observe_test,
 )
-from pyhrg.gap.replay.replay import estimate_start_angle
-from pyhrg.gap.replay.simulation import Simulation, replay_sampled
+from pyhrg.gap.replay.sampled import replay_sampled
+from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.gap.whitening.channel_noise import REPLAY_RESOLUTION
 from pyhrg.records import COLUMNS
 from pyhrg.records.campaign import Campaign, Test

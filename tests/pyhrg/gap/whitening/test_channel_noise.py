@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from pyhrg.bench.readings.first_order_lag import follow_with_lag
 from pyhrg.common.units import ARCSEC
 from pyhrg.device.device import Device
+from pyhrg.gap.replay.inputs.thermometer import correct_temperatures
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest, observe_test
-from pyhrg.gap.replay.thermometer import correct_temperatures
 from pyhrg.gap.whitening.channel_noise import (
     REPLAY_RESOLUTION,
     build_angle_noise,

@@ -26,7 +26,8 @@ from pyhrg.gap.effects.term_columns import build_term_columns, compute_response
 from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 from pyhrg.gap.findings.term import Formula, Term
 from pyhrg.gap.replay.observations import CHANNELS, observe_test
-from pyhrg.gap.replay.simulation import Simulation, replay_sampled
+from pyhrg.gap.replay.sampled import replay_sampled
+from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records.campaign import Test
 from tests.pyhrg.gap.closing.equation.planted import COS6, SIN6, record_sixth_harmonic
 from tests.pyhrg.gap.soundness.conftest import NOMINAL

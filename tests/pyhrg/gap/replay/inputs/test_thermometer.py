@@ -8,13 +8,13 @@ from scipy.stats import norm
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
-from pyhrg.gap.replay.observations import CHANNELS, observe_test
-from pyhrg.gap.replay.thermometer import (
+from pyhrg.gap.replay.inputs.thermometer import (
     correct_temperatures,
     estimate_reading_steps,
     estimate_thermometer_noise,
     estimate_toggling_step,
 )
+from pyhrg.gap.replay.observations import CHANNELS, observe_test
 from pyhrg.gap.whitening.channel_noise import estimate_campaign_noise
 from pyhrg.records.campaign import Test
 from tests.pyhrg.records.made_up import made_up_log

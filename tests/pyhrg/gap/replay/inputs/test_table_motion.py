@@ -5,7 +5,7 @@ import pytest
 
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG
-from pyhrg.gap.replay.table_motion import TableMotion, estimate_table_motion
+from pyhrg.gap.replay.inputs.table_motion import TableMotion, estimate_table_motion
 
 ROWS = 600
 MOVES = (40.3, 150.7, 300.1, 450.55)

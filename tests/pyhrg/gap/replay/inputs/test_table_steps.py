@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from pyhrg.common.units import ARCSEC, DEG
-from pyhrg.gap.replay.reading_noise import NONE, describe_reading_noise, estimate_reading_noise
-from pyhrg.gap.replay.table_steps import (
+from pyhrg.gap.replay.inputs.table_steps import (
     find_rests,
     find_table_step,
     find_turning_rows,
     shape_rounding_errors,
 )
+from pyhrg.gap.replay.reading_noise import NONE, describe_reading_noise, estimate_reading_noise
 from pyhrg.records import Log
 from tests.pyhrg.records.made_up import made_up_log
 

@@ -1,0 +1,1 @@
+"""The inputs of a replay: what a log says about the turntable and the temperature."""

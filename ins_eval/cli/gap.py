@@ -76,13 +76,13 @@ def _diagnose(options: argparse.Namespace) -> None:
 
 
 def _diagnose_campaign(options: argparse.Namespace) -> None:
-    from pyhrg.gap.findings.diagnosis import Leftover
+    from pyhrg.gap.findings.diagnosis import Worth
     from pyhrg.gap.findings.materiality import IMMATERIAL
     from pyhrg.gap.report.page import write_report
     from pyhrg.gap.report.sections import make_section
     from pyhrg.gap.report.verdict import summarize_diagnosis
 
-    bound = Leftover(*options.bound) if options.bound else IMMATERIAL
+    bound = Worth(*options.bound) if options.bound else IMMATERIAL
     result = pyhrg.diagnose(options.source, bound=bound, progress=not options.quiet)
     section = partial(make_position_section, result, not options.quiet)
     position = make_section("position", section)

@@ -28,7 +28,7 @@ from pyhrg.gap.evidence.attribution import Attribution, complete_noises, keep_no
 from pyhrg.gap.evidence.rounds.iteration import attribute_gap
 from pyhrg.gap.findings import diagnosis as diagnosis_file
 from pyhrg.gap.findings import verdict as verdicts
-from pyhrg.gap.findings.diagnosis import Diagnosis, Gap, Leftover, Verdict
+from pyhrg.gap.findings.diagnosis import Diagnosis, Gap, Verdict, Worth
 from pyhrg.gap.findings.faults import list_fault_causes, list_ripples, list_tolerated_faults
 from pyhrg.gap.findings.localisation import locate_gap, measure_travels
 from pyhrg.gap.findings.materiality import IMMATERIAL, measure_leftover
@@ -85,15 +85,19 @@ class CampaignDiagnosis:
         """Causes as a table: one row for each parameter of each cause.
 
         Columns: effect, probability, parameter (its name ends with its unit), value, low_95,
-        high_95, equivalents (tuple of effects that are confounded with it).
+        high_95, equivalents (tuple of effects that are confounded with it), makes_arcsec and
+        makes_deg_h (`Worth` of the cause; NaN of a noise or a fault in the rows).
         """
         rows = [
-            (c.effect, c.probability, name, value, *c.interval_95[name], c.equivalents)
+            (c.effect, c.probability, name, value, *c.interval_95[name], c.equivalents, *makes)
             for c in self.diagnosis.causes
+            for makes in [
+                (c.worth.angle_arcsec, c.worth.rate_deg_h) if c.worth else (math.nan, math.nan)
+            ]
             for name, value in c.parameters.items()
         ]
         columns = ("effect", "probability", "parameter", "value", "low_95", "high_95")
-        return pd.DataFrame(rows, columns=[*columns, "equivalents"])
+        return pd.DataFrame(rows, columns=[*columns, "equivalents", "makes_arcsec", "makes_deg_h"])
 
     @property
     def noise(self) -> CampaignNoise:
@@ -170,7 +174,7 @@ def diagnose(
     campaign: Campaign | Path | str,
     *,
     catalogue: Catalogue = FULL_CATALOGUE,
-    bound: Leftover = IMMATERIAL,
+    bound: Worth = IMMATERIAL,
     simulation: Simulation | None = None,
     progress: Show = None,
 ) -> CampaignDiagnosis:
@@ -232,7 +236,7 @@ def _summarize(
     prepared: Preparation,
     closing: Closing,
     gap: Gap,
-    bound: Leftover,
+    bound: Worth,
 ) -> Diagnosis:
     features = verdicts.check_residuals(attribution)
     left = measure_leftover(attribution, gap)

@@ -178,7 +178,7 @@ def _score_ratios(scorer: _Scorer) -> Iterator[Score]:
         requirement = NO_REQUIREMENT
         if predictor.key == FIXED_RULE:
             verdict = judge_outside(ratio, 1 / WRONG_FACTOR, WRONG_FACTOR)
-            requirement = f"wrong by a factor of {WRONG_FACTOR:g}", verdict
+            requirement = f"below {1 / WRONG_FACTOR:g} or above {WRONG_FACTOR:g}", verdict
         if predictor.key == CIRCUMFERENCE_CLASS:
             verdict = judge_bounds(ratio, 1 / SIZE_FACTOR, SIZE_FACTOR)
             requirement = f"within a factor of {SIZE_FACTOR:g}", verdict

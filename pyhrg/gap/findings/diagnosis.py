@@ -35,6 +35,32 @@ class DiagnosisError(HrgError):
 
 
 @dataclass(frozen=True)
+class Worth:
+    """What a cause makes in the fitted tests, each size in the test where it is largest; or the
+    bound below which that doesn't matter (docs/methods/verdict.md, Eq. 10).
+
+    angle_arcsec: rms in the output angle.
+    rate_deg_h: mean rate over a test.
+    loop_share: rms in another channel over its scale: the nominal amplitude, 1/tau for forces, 1e-4
+        of the nominal frequency.
+    """
+
+    angle_arcsec: float
+    rate_deg_h: float
+    loop_share: float
+
+    def exceeds(self, bound: "Worth") -> bool:
+        """Whether any size is above the bound's."""
+        sizes, limits = asdict(self), asdict(bound)
+        return any(sizes[name] > limit for name, limit in limits.items())
+
+    def document(self) -> dict[str, Any]:
+        """Sizes by name, and the position error after an hour that the rate makes by the usual
+        rule, m."""
+        return {**asdict(self), "position_m": self.rate_deg_h * METRES_PER_DEG_H}
+
+
+@dataclass(frozen=True)
 class Cause:
     """An effect that takes part, or a known parameter that is off by more than its tolerance.
 
@@ -44,6 +70,7 @@ class Cause:
     interval_95: 95 % interval of each parameter, in the same units.
     equivalents: effects that are confounded with it in these tests.
     family: what is wrong: the gyro, a nominal value, the bench or the record.
+    worth: what it makes; None of a noise, or of a fault that was found in the rows.
     """
 
     effect: str
@@ -52,6 +79,7 @@ class Cause:
     interval_95: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     equivalents: tuple[str, ...] = ()
     family: Family = "gyro"
+    worth: Worth | None = None
 
     @property
     def equivalence_class(self) -> frozenset[str]:
@@ -134,32 +162,6 @@ def _is_wider(figure: GapFigure) -> bool:
 
 
 @dataclass(frozen=True)
-class Leftover:
-    """Sizes of what an explanation leaves, or the bound below which they don't matter.
-
-    angle_arcsec: rms in the output angle: of candidate terms over the fitted tests, or of the
-        residual beyond the noise floor.
-    rate_deg_h: largest mean rate of candidate terms over a test.
-    loop_share: largest rms of candidate terms in another channel, over its scale: the nominal
-        amplitude, 1/tau for forces, 1e-4 of the nominal frequency.
-    """
-
-    angle_arcsec: float
-    rate_deg_h: float
-    loop_share: float
-
-    def exceeds(self, bound: "Leftover") -> bool:
-        """Whether any size is above the bound's."""
-        sizes, limits = asdict(self), asdict(bound)
-        return any(sizes[name] > limit for name, limit in limits.items())
-
-    def document(self) -> dict[str, Any]:
-        """Sizes by name, and the position error after an hour that the rate makes by the usual
-        rule, m."""
-        return {**asdict(self), "position_m": self.rate_deg_h * METRES_PER_DEG_H}
-
-
-@dataclass(frozen=True)
 class NextTest:
     """The test that would best separate what is still confounded.
 
@@ -182,7 +184,7 @@ class Diagnosis:
     excluded: what of the campaign was missing or left out, a sentence each.
     settled: whether the search converged; everything is uncertain where it did not.
     within_tolerance: known parameters that are off, but by no more than their tolerance.
-    left, bound: size of what is left unexplained, and the one below which it does not matter.
+    left, bound: what is left unexplained is worth, and the bound below which it does not matter.
     terms: proposed equations for what has no name.
     """
 
@@ -198,11 +200,15 @@ class Diagnosis:
     excluded: tuple[str, ...]
     settled: bool = True
     within_tolerance: tuple[KnownValue, ...] = ()
-    left: Leftover = Leftover(0.0, 0.0, 0.0)
-    bound: Leftover = Leftover(0.0, 0.0, 0.0)
+    left: Worth = Worth(0.0, 0.0, 0.0)
+    bound: Worth = Worth(0.0, 0.0, 0.0)
     terms: tuple[Term, ...] = ()
 
     __repr__ = describe_briefly
+
+    def is_immaterial(self, cause: Cause) -> bool:
+        """Whether all that a cause makes is within the bound."""
+        return cause.worth is not None and not cause.worth.exceeds(self.bound)
 
     @property
     def caveats(self) -> list[str]:
@@ -218,6 +224,9 @@ class Diagnosis:
         for place in values["where"]:
             if place["harmonic"] is None:
                 del place["harmonic"]
+        for cause, own in zip(values["causes"], self.causes, strict=True):
+            del cause["worth"]
+            cause |= {"worth": own.worth.document()} if own.worth else {}
         gap = values.pop("gap")
         del values["left"], values["bound"]
         material = {

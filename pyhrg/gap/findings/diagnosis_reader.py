@@ -13,9 +13,9 @@ from pyhrg.gap.findings.diagnosis import (
     Gap,
     GapFigure,
     KnownValue,
-    Leftover,
     NextTest,
     Verdict,
+    Worth,
 )
 from pyhrg.gap.findings.localisation import Place
 from pyhrg.gap.findings.quantity import Size
@@ -62,15 +62,15 @@ def _parse(index: TomlTable) -> Diagnosis:
         index.texts("excluded"),
         index.flag("settled", True),
         tuple(map(_parse_known, index.tables("within_tolerance"))),
-        _parse_leftover(index.table("material").table("left")),
-        _parse_leftover(index.table("material").table("bound")),
+        _parse_worth(index.table("material").table("left")),
+        _parse_worth(index.table("material").table("bound")),
         tuple(map(parse_term, index.tables("terms"))),
     )
 
 
-def _parse_leftover(table: TomlTable) -> Leftover:
+def _parse_worth(table: TomlTable) -> Worth:
     names = ("angle_arcsec", "rate_deg_h", "loop_share")
-    return Leftover(*(table.finite_number(name) if table.values else 0.0 for name in names))
+    return Worth(*(table.finite_number(name) if table.values else 0.0 for name in names))
 
 
 def _parse_cause(table: TomlTable) -> Cause:
@@ -82,6 +82,7 @@ def _parse_cause(table: TomlTable) -> Cause:
         {name: parse_interval(intervals, name) for name in intervals.values},
         table.texts("equivalents"),
         _parse_family(table),
+        _parse_worth(worth) if (worth := table.table("worth")).values else None,
     )
 
 

@@ -1,7 +1,6 @@
-"""What an explanation leaves, and whether it matters: significance is not importance.
+"""What causes make in the records, and what they leave: significance is not importance.
 
-A cause that the catalogue lacks may be there beyond doubt and still be worth nothing
-(docs/methods/verdict.md, Eq. (10)).
+A cause may be there beyond doubt and still be worth nothing (docs/methods/verdict.md, Eq. (10)).
 """
 
 import math
@@ -11,25 +10,49 @@ import numpy as np
 
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_H
+from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.residuals import Removed, compute_residuals
-from pyhrg.gap.findings.diagnosis import Gap, Leftover
+from pyhrg.gap.findings.diagnosis import Gap, Worth
 from pyhrg.gap.replay.observations import CHANNELS
 
 MIN_RATE_TIME = 600.0
-"""Shortest test over which the mean rate of what is left is taken, s. Chosen."""
+"""Shortest test over which a mean rate is taken, s. Chosen."""
 
 
-IMMATERIAL = Leftover(angle_arcsec=0.1, rate_deg_h=1e-4, loop_share=1e-3)
-"""Bound below which a leftover does not matter, unless the user states another. Chosen: 1e-4 deg/h
+IMMATERIAL = Worth(angle_arcsec=0.1, rate_deg_h=1e-4, loop_share=1e-3)
+"""Bound below which a cause does not matter, unless the user states another. Chosen: 1e-4 deg/h
 is 0.01 nmi after an hour by the usual rule; 1e-3 is a tenth of a percent of what loops hold."""
 
 
-def measure_leftover(attribution: Attribution, gap: Gap) -> Leftover:
-    """Size of what candidate terms explain in the test where it is largest, and of what closing
-    leaves beyond the noise floor."""
-    by_channel = _list_term_responses(attribution)
+def measure_leftover(attribution: Attribution, gap: Gap) -> Worth:
+    """What candidate terms explain, an unnamed noise makes, and closing leaves beyond the noise
+    floor."""
+    best = attribution.posterior.best
+    effects: Removed = dict(best.effect_sizes.items())
+    terms = _measure(attribution, effects, best.sizes)
+    excess = [
+        math.sqrt(max(figure.after**2 - figure.floor_95[1] ** 2, 0.0))
+        for figure in (gap.fit_angle_arcsec, gap.holdout_angle_arcsec)
+        if figure is not None
+    ]
+    noise_angle, noise_rate = measure_unnamed_noise(attribution.noise)
+    return Worth(
+        max(terms.angle_arcsec, noise_angle / ARCSEC, *excess),
+        max(terms.rate_deg_h, noise_rate / DEG_PER_H),
+        terms.loop_share,
+    )
+
+
+def measure_effect(attribution: Attribution, effect: Effect, size: Array) -> Worth:
+    """What an effect of a (d,) size makes, the pattern seen as it was measured."""
+    return _measure(attribution, {}, {effect: size})
+
+
+def _measure(attribution: Attribution, before: Removed, after: Removed) -> Worth:
+    """What the groups make that are removed in `after`, and not in `before`."""
+    by_channel = _compute_responses(attribution, before, after)
     nominal = attribution.nominal
     scales = {
         "amplitude": nominal.amplitude,
@@ -43,15 +66,9 @@ def measure_leftover(attribution: Attribution, gap: Gap) -> Leftover:
         for time, angle in angles
         if len(time) > 1 and time[-1] - time[0] >= MIN_RATE_TIME
     ]
-    excess = [
-        math.sqrt(max(figure.after**2 - figure.floor_95[1] ** 2, 0.0)) * ARCSEC
-        for figure in (gap.fit_angle_arcsec, gap.holdout_angle_arcsec)
-        if figure is not None
-    ]
-    noise_angle, noise_rate = measure_unnamed_noise(attribution.noise)
-    return Leftover(
-        max(_largest_rms(angles), noise_angle, *excess) / ARCSEC,
-        max([*rates, noise_rate]) / DEG_PER_H,
+    return Worth(
+        _largest_rms(angles) / ARCSEC,
+        max(rates, default=0.0) / DEG_PER_H,
         max(_largest_rms(by_channel[name]) / scale for name, scale in scales.items()),
     )
 
@@ -67,19 +84,17 @@ def measure_unnamed_noise(noise: NoiseHypothesis) -> tuple[float, float]:
     return 0.0, correlated.level * min(math.sqrt(2 * correlated.lag / MIN_RATE_TIME), 1.0)
 
 
-def _list_term_responses(attribution: Attribution) -> Mapping[str, list[tuple[Array, Array]]]:
-    """Times and response of all candidate terms of the most probable set, by channel, for each
-    test."""
-    hypothesis = attribution.posterior.best
+def _compute_responses(
+    attribution: Attribution, before: Removed, after: Removed
+) -> Mapping[str, list[tuple[Array, Array]]]:
+    """Times and response of what is removed between two residuals, by channel, for each test."""
     noise, nominal = attribution.channel_noise, attribution.nominal
-    without_terms: Removed = dict(hypothesis.effect_sizes.items())
     ends = [
-        compute_residuals(attribution.parts, removed, noise, nominal, CHANNELS)
-        for removed in (without_terms, hypothesis.sizes)
+        compute_residuals(attribution.parts, removed, noise, nominal) for removed in (before, after)
     ]
     responses: dict[str, list[tuple[Array, Array]]] = {name: [] for name in CHANNELS}
-    for before, after in zip(*ends, strict=True):
-        responses[before.channel].append((before.times, before.values - after.values))
+    for first, last in zip(*ends, strict=True):
+        responses[first.channel].append((first.times, first.values - last.values))
     return responses
 
 

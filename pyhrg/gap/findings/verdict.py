@@ -24,6 +24,7 @@ from pyhrg.gap.evidence.residual_features import (
     find_residual_features,
 )
 from pyhrg.gap.findings.diagnosis import Cause, KnownValue, Verdict
+from pyhrg.gap.findings.materiality import measure_effect
 from pyhrg.gap.soundness.fault import compute_beyond_probability
 
 UNEXPLAINED_PROBABILITY = 0.5
@@ -108,6 +109,7 @@ def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[
                 effect.parameters(total),
                 _intervals(effect, total, partial(posterior.compute_sigma, effect, size)),
                 (*others, *(name for name in imitators if name not in others)),
+                worth=measure_effect(attribution, effect, size),
             )
         )
     return causes
@@ -127,7 +129,10 @@ def _find_known_causes(attribution: Attribution, effects: Sequence[Effect]) -> l
             others = find_known_equivalents(known, fitted, nominal, effect, candidates)
             others = (*others, *_list_imitators(effect.name, *others))
             others = tuple(dict.fromkeys(others))
-            causes.append(Cause(effect.name, probability, values, intervals, others, effect.family))
+            worth = measure_effect(attribution, effect, size)
+            causes.append(
+                Cause(effect.name, probability, values, intervals, others, effect.family, worth)
+            )
     return causes
 
 

@@ -32,8 +32,9 @@ def build_causes(result: CampaignDiagnosis) -> str:
     if diagnosis.causes:
         rows = [row for cause in diagnosis.causes for row in _make_rows(cause, result)]
         header = ("Effect", "Probability", "Parameter", "Value (95 % interval)", "Nominal", "Unit")
+        made = ("Makes up to, arcsec", "deg/h", "Confounded with")
         title = "Total values, as in after.toml where it has them"
-        parts.append(build_table(title, (*header, "Confounded with"), rows))
+        parts.append(build_table(title, (*header, *made), rows))
     else:
         parts.append(make_paragraph("No effect of the catalogue is needed."))
     if diagnosis.unnamed:
@@ -44,6 +45,8 @@ def build_causes(result: CampaignDiagnosis) -> str:
 
 def _make_rows(cause: Cause, result: CampaignDiagnosis) -> list[tuple[str, ...]]:
     rows: list[tuple[str, ...]] = []
+    sizes = (cause.worth.angle_arcsec, cause.worth.rate_deg_h) if cause.worth else ()
+    makes = [*map(format_number, sizes)] or ["", ""]
     for i, (parameter, value) in enumerate(cause.parameters.items()):
         words, unit, scale = parse_parameter(parameter)
         nominal = scale * read_nominal_value(result.nominal, parameter)
@@ -52,8 +55,8 @@ def _make_rows(cause: Cause, result: CampaignDiagnosis) -> list[tuple[str, ...]]
         equivalents = html.escape(", ".join(format_effect(e) for e in cause.equivalents) or "–")
         name = html.escape(format_effect(cause.effect))
         effect = (f"<b>{name}</b>", format_percent(cause.probability))
-        lead, last = (effect, equivalents) if i == 0 else (("", ""), "")
-        rows.append((*lead, html.escape(words), text, format_number(nominal), unit, last))
+        lead, last = (effect, (*makes, equivalents)) if i == 0 else (("", ""), ("", "", ""))
+        rows.append((*lead, html.escape(words), text, format_number(nominal), unit, *last))
     return rows
 
 

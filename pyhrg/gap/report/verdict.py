@@ -1,21 +1,20 @@
 """The diagnosis as answers to five questions, in sentences: for the page and for the terminal."""
 
 import textwrap
-from collections.abc import Collection
+from collections.abc import Sequence
 
 from pyhrg.common.pages.svg import format_interval, format_number
 from pyhrg.device.declarations import format_effect
 from pyhrg.gap.diagnose import CampaignDiagnosis
-from pyhrg.gap.effects.catalogue import EFFECTS
-from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, GapFigure, KnownValue
+from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, GapFigure, KnownValue, Worth
 from pyhrg.gap.findings.verdict import UNEXPLAINED_PROBABILITY
 from pyhrg.gap.replay.observations import CHANNEL_WORDS
 from pyhrg.gap.report.closing import describe_closing
+from pyhrg.gap.report.next_steps import suggest_next_steps
 from pyhrg.gap.report.places import sum_shares
 from pyhrg.gap.report.terms import (
     describe_class,
     describe_term,
-    find_nearest,
     list_kinds,
     name_term,
 )
@@ -37,47 +36,17 @@ FAMILIES = {
 """Where a cause lies, in words."""
 MAX_PLACES, MIN_SHARE = 3, 0.05
 """Most places that are named, and the least share of the gap that a named place has (chosen)."""
-NOTHING_NEXT = {
-    "no_gap": "Nothing: the simulation stands for this gyro as it is.",
-    "unexplained": "Look at the residuals by coordinate below: no known form explains them.",
-}
-"""What to do where there are no causes, no terms and no next test."""
-REMEDIES = {
-    "mounting_sign": "Turn the sign where it is recorded, or the gyro where it is mounted.",
-    "drive_interruption": "Find out why the drive was lost, and repeat these tests.",
-    "encoder_noise": "Check the table encoder and its wiring.",
-    "table_ripple": "Calibrate the table encoder over a turn.",
-    "time_jitter": "Let the recorder latch encoder and gyro at the same edge of its clock.",
-    "lost_rows": "Check the recorder: it loses rows.",
-    "outliers": "Check the recorder: it writes wrong readings.",
-}
-"""What to do about a fault of bench or record."""
-DEVICE_FILES = "after.toml and closed.fmu are this gyro"
-TERM_FILES = "closed.fmu is this gyro with its equation, closed.mo its text"
-USE = "{}: use them from now on."
-NOT_VERIFIED = (
-    "{}, as these records show it. No other test has verified it: hold one out, then use it."
-)
-CAVEATS = "Do not use after.toml and closed.fmu: see the caveats above."
-CONFOUNDED = (
-    "after.toml and closed.fmu agree with these records, but have one of the confounded causes: "
-    "in another test they may be wrong."
-)
-INCOMPLETE = "after.toml and closed.fmu have the named causes alone, not the whole gap."
-NOT_CLOSER = (
-    "On the held-out tests the identified gyro is further from the records than the nominal one. "
-    "Do not use closed.fmu: what was found does not hold there."
-)
-IMMATERIAL_CAUSE = "a cause outside the catalogue takes part too, but what it makes is immaterial"
+UNNAMED_CAUSE = "a cause outside the catalogue"
 WIDTH, INDENT = 100, 14
 """Width of a line for the terminal, and of the column of the questions."""
 
 
 def write_headline(diagnosis: Diagnosis) -> str:
     """The verdict in one sentence."""
-    names = join_words([format_effect(c.effect) for c in diagnosis.causes])
-    is_single = len(diagnosis.causes) == 1
-    too = f"; {IMMATERIAL_CAUSE}" if has_immaterial_cause(diagnosis) else ""
+    material = [c for c in diagnosis.causes if not diagnosis.is_immaterial(c)]
+    causes = material or list(diagnosis.causes)
+    names, is_single = join_words([format_effect(c.effect) for c in causes]), len(causes) == 1
+    too = _mention_immaterial(diagnosis, [c for c in diagnosis.causes if c not in causes])
     if diagnosis.verdict == "no_gap":
         within = "within the noise"
         if diagnosis.within_tolerance or diagnosis.left.angle_arcsec:
@@ -86,9 +55,10 @@ def write_headline(diagnosis: Diagnosis) -> str:
             )
         return f"No gap: the records agree with the simulation of the nominal gyro {within}{too}."
     if diagnosis.verdict == "explained":
-        place = _list_families(diagnosis)
-        causes = f"its cause{' is' if is_single else 's are'} {names}"
-        return f"The gap is explained, and lies in {place}: {causes}{too}."
+        place = _list_families(causes)
+        are = " is" if is_single else "s are"
+        weight = "" if material else ", immaterial by the bound"
+        return f"The gap is explained, and lies in {place}: its cause{are} {names}{weight}{too}."
     if diagnosis.verdict == "ambiguous" and diagnosis.gap.is_wider_held_out:
         agree = "agrees" if is_single else "agree"
         return (
@@ -100,7 +70,17 @@ def write_headline(diagnosis: Diagnosis) -> str:
         return f"The gap is explained by {names}, or by {others}{too}."
     beside = f", beside {names}" if names else ""
     equation = "; it has an equation, but no name" if diagnosis.terms else ""
-    return f"The gap is not explained: a cause outside the catalogue takes part{beside}{equation}."
+    return f"The gap is not explained: {UNNAMED_CAUSE} takes part{beside}{equation}{too}."
+
+
+def _mention_immaterial(diagnosis: Diagnosis, causes: Sequence[Cause]) -> str:
+    """Names the causes that take part and don't count, one without a name among them."""
+    names = [format_effect(cause.effect) for cause in causes]
+    names += [UNNAMED_CAUSE] if has_immaterial_cause(diagnosis) else []
+    if not names:
+        return ""
+    take, make = ("takes", "it makes") if len(names) == 1 else ("take", "they make")
+    return f"; {join_words(names)} {take} part too, but what {make} is immaterial"
 
 
 def answer_questions(result: CampaignDiagnosis) -> dict[str, list[str]]:
@@ -119,9 +99,10 @@ def answer_questions(result: CampaignDiagnosis) -> dict[str, list[str]]:
         "How much": [
             *_describe_residuals(diagnosis),
             describe_closing(diagnosis.gap)[0],
+            *(_describe_worth(cause, diagnosis) for cause in diagnosis.causes if cause.worth),
             describe_leftover(diagnosis),
         ],
-        "What next": _say_what_next(diagnosis, list_kinds(result)),
+        "What next": suggest_next_steps(diagnosis, list_kinds(result)),
     }
 
 
@@ -143,15 +124,26 @@ def describe_leftover(diagnosis: Diagnosis) -> str:
     left, bound = diagnosis.left, diagnosis.bound
     if not left.angle_arcsec and not left.rate_deg_h and not left.loop_share:
         return "Named causes leave nothing beyond the noise."
-    sizes = (
-        f"{format_number(left.angle_arcsec)} arcsec, {format_number(left.rate_deg_h)} deg/h "
-        f"({format_number(left.document()['position_m'])} m after an hour) and "
-        f"{format_percent(left.loop_share)} of the scale of another channel"
-    )
     limits = f"{bound.angle_arcsec:g} arcsec, {bound.rate_deg_h:g} deg/h"
     limits += f", {format_percent(bound.loop_share)}"
     role = "material" if left.exceeds(bound) else "immaterial"
-    return f"Named causes leave {sizes}; {role} by the bound of {limits}."
+    return f"Named causes leave {_format_worth(left)}; {role} by the bound of {limits}."
+
+
+def _describe_worth(cause: Cause, diagnosis: Diagnosis) -> str:
+    """What a cause makes, and whether it matters, in a sentence."""
+    assert cause.worth, "noises and faults have none"
+    words, sizes = _begin(format_effect(cause.effect)), _format_worth(cause.worth)
+    weight = "; immaterial" if diagnosis.is_immaterial(cause) else ""
+    return f"{words} makes up to {sizes}{weight}."
+
+
+def _format_worth(worth: Worth) -> str:
+    return (
+        f"{format_number(worth.angle_arcsec)} arcsec, {format_number(worth.rate_deg_h)} deg/h "
+        f"({format_number(worth.document()['position_m'])} m after an hour) and "
+        f"{format_percent(worth.loop_share)} of the scale of another channel"
+    )
 
 
 def has_immaterial_cause(diagnosis: Diagnosis) -> bool:
@@ -160,8 +152,8 @@ def has_immaterial_cause(diagnosis: Diagnosis) -> bool:
     return is_there and diagnosis.verdict != "unexplained"
 
 
-def _list_families(diagnosis: Diagnosis) -> str:
-    return join_words(list(dict.fromkeys(FAMILIES[c.family] for c in diagnosis.causes)))
+def _list_families(causes: Sequence[Cause]) -> str:
+    return join_words(list(dict.fromkeys(FAMILIES[cause.family] for cause in causes)))
 
 
 def _say_where(diagnosis: Diagnosis) -> list[str]:
@@ -197,42 +189,6 @@ def _say_how_sure(diagnosis: Diagnosis) -> list[str]:
     weight = ", but immaterial by the bound" if has_immaterial_cause(diagnosis) else ""
     sentences.append(f"A cause outside the catalogue takes part: probability {unknown}{weight}.")
     return [*sentences, *diagnosis.caveats]
-
-
-def _say_what_next(diagnosis: Diagnosis, kinds: Collection[str]) -> list[str]:
-    test = diagnosis.next_test
-    sentences = []
-    if test:
-        why = test.why.removesuffix(".")
-        sentences.append(f"Next test: {format_name(test.kind)}, {test.hours:g} h: {why}.")
-    for term in diagnosis.terms:
-        if nearest := find_nearest(term):
-            name = f"{nearest[0].name} ({nearest[0].number})"
-            suggestion = nearest[0].suggest_test(kinds)
-            sentences.append(f"{name_term(term)} is next to {name}.{suggestion}")
-    for cause in diagnosis.causes:
-        if (effect := EFFECTS.get(cause.effect)) and effect.imitators:
-            others = " or ".join(map(format_effect, effect.imitators))
-            name = format_effect(cause.effect)
-            sentences.append(f"No test of a gyro tells {name} from {others}: look at the bench.")
-    sentences += [REMEDIES[c.effect] for c in diagnosis.causes if c.effect in REMEDIES]
-    if any(c.effect not in REMEDIES for c in diagnosis.causes) or diagnosis.terms:
-        sentences.append(_say_whether_to_use(diagnosis))
-    return sentences or [NOTHING_NEXT[diagnosis.verdict]]
-
-
-def _say_whether_to_use(diagnosis: Diagnosis) -> str:
-    """What the closed files are worth, by the verdict and the verification."""
-    files = TERM_FILES if diagnosis.terms else DEVICE_FILES
-    if (diagnosis.gap.shrink_percent or 0.0) < 0 or diagnosis.gap.is_wider_held_out:
-        return NOT_CLOSER
-    if diagnosis.verdict == "ambiguous":
-        return CONFOUNDED
-    if diagnosis.verdict == "unexplained" and not diagnosis.terms:
-        return INCOMPLETE
-    if diagnosis.caveats:
-        return CAVEATS
-    return (NOT_VERIFIED if diagnosis.gap.holdout_angle_arcsec is None else USE).format(files)
 
 
 def _describe_known(known: KnownValue) -> str:

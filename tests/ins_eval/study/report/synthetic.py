@@ -155,7 +155,7 @@ def _of_class(flights: pd.DataFrame, name: str) -> list[dict[str, Any]]:
         inside = int(((flights[predictor.low] < flown) & (flown < flights[predictor.high])).sum())
         exact = stats.binomtest(inside, len(flights)).proportion_ci(0.95)
         asked = {
-            "fixed_rule": {"asked": "wrong by a factor of 2", "verdict": "holds"},
+            "fixed_rule": {"asked": "below 0.5 or above 2", "verdict": "holds"},
             "circumference_class": {"asked": "within a factor of 1.3", "verdict": failing},
         }.get(predictor.key, {})
         is_fitted = predictor.key == "fitted_map"

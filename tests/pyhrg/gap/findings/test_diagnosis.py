@@ -20,6 +20,7 @@ from pyhrg.gap.findings.diagnosis import (
     GapFigure,
     KnownValue,
     NextTest,
+    Worth,
     write,
 )
 from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
@@ -37,6 +38,7 @@ GIVEN = Diagnosis(
             {"damping_anisotropy_per_s": 2e-6, "damping_axis_deg": 45.0},
             {"damping_anisotropy_per_s": (1e-6, 3e-6), "damping_axis_deg": (44.0, 46.0)},
             ("drive_gain_mismatch",),
+            worth=Worth(3.0, 2e-3, 1e-4),
         ),
         Cause(
             "angle_random_walk",
@@ -79,6 +81,8 @@ def test_keys_are_the_format_s(tmp_path: Path) -> None:
     cause = found["causes"][0]
     assert set(cause) >= {"effect", "probability", "parameters", "interval_95", "equivalents"}
     assert cause["interval_95"]["damping_axis_deg"] == [44.0, 46.0]
+    assert cause["worth"]["position_m"] == pytest.approx(2e-3 * 185200)
+    assert "worth" not in found["causes"][1]
     assert set(found["where"][0]) >= {"test", "channel", "coordinate", "harmonic", "share"}
     for stage in ("before", "after", "floor"):
         assert set(found["gap"][stage]) == {"fit", "holdout"}

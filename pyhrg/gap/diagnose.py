@@ -199,6 +199,7 @@ def diagnose(
         raise HrgError(f"bound: found {bound}, expected numbers from 0 on")
     if not isinstance(campaign, Campaign):
         campaign = campaigns.read_campaign(Path(campaign), any_sign=True)
+    catalogue = catalogue.with_tolerances(campaign.tolerances)
     simulation = simulation or load_simulation(report)
     prepared = prepare_campaign(campaign, simulation, catalogue.noises)
     fitted = [test for test in prepared.tests if not test.test.is_holdout]

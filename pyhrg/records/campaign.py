@@ -1,9 +1,10 @@
 """A campaign: the tests of one gyro as a folder, with an index and one log a test."""
 
 import json
+import math
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from pathlib import Path
 from typing import ClassVar
@@ -13,6 +14,8 @@ from pyhrg.common.files import write_whole
 from pyhrg.common.site import Site
 from pyhrg.common.toml_table import TomlTable, read_json_table
 from pyhrg.common.units import DEG
+from pyhrg.device.declarations import read_declarations
+from pyhrg.device.device import Device
 from pyhrg.records.log import Log, read_log, write_log
 from pyhrg.records.timing import INTERVAL_RANGE
 
@@ -22,6 +25,14 @@ ROLES = ("fit", "holdout")
 """Tests that a diagnosis may fit, and tests that only verify it."""
 GRAVITY = (9.7, 9.9)
 """Smallest and largest gravity on Earth, m/s2."""
+TOLERANCE_KEYS = tuple(
+    declaration.keys[0]
+    for declaration in read_declarations(Device).values()
+    if declaration.tolerance or declaration.effect
+)
+"""Values of a device file that may have a tolerance."""
+MIN_TOLERANCE = 1e-15
+"""Smallest tolerance, in the unit of its key: far below that of any value."""
 FILE_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9._-]*")
 """Names of files that any system takes."""
 
@@ -69,12 +80,15 @@ class Campaign:
         nominal: nominal values of the gyro's parameters, by the keys of a device file, in the keys'
             units.
         tests: the tests in the order of the index.
+        tolerances: one standard deviation of each value that is known less exactly, or better,
+            than a diagnosis assumes; by key of a device file, in the key's unit.
     """
 
     device: str
     site: Site
     nominal: Mapping[str, float]
     tests: tuple[Test, ...]
+    tolerances: Mapping[str, float] = field(default_factory=dict)
 
     __repr__ = describe_briefly
 
@@ -111,7 +125,15 @@ def read_campaign(folder: Path | str, *, any_sign: bool = False) -> Campaign:
         site=site,
         nominal={key: nominal.finite_number(key) for key in nominal.values},
         tests=tests,
+        tolerances=read_tolerances(index),
     )
+
+
+def read_tolerances(document: TomlTable) -> dict[str, float]:
+    """The table `tolerances`; empty if it is not there."""
+    table = document.table("tolerances")
+    table.check_known(TOLERANCE_KEYS)
+    return {key: table.number(key, None, MIN_TOLERANCE, math.inf) for key in table.values}
 
 
 def read_site(document: TomlTable) -> Site:
@@ -153,6 +175,7 @@ def write_campaign(campaign: Campaign, folder: Path | str, *, force: bool = Fals
             "gravity_m_s2": campaign.site.gravity,
         },
         "nominal": dict(campaign.nominal),
+        **({"tolerances": dict(campaign.tolerances)} if campaign.tolerances else {}),
         "tests": [
             {
                 **{"id": test.id, "kind": test.kind, "role": test.role},

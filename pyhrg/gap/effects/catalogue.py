@@ -125,7 +125,7 @@ def _collect_effects() -> tuple[Effect, ...]:
 
 DETERMINISTIC = _collect_effects()
 """Effects that change a simulation without noise."""
-KNOWN = tuple(
+_KNOWN_OR_EXACT = tuple(
     Effect(
         k.name,
         (field, k.angle) if k.angle else (field,),
@@ -139,6 +139,7 @@ KNOWN = tuple(
     for field, declaration in read_declarations(Device).items()
     if (k := declaration.tolerance)
 )
+KNOWN = tuple(effect for effect in _KNOWN_OR_EXACT if effect.tolerance or effect.relative_tolerance)
 """Nominal values, and properties of bench and record, that are known within a tolerance."""
 NOISES = tuple(
     NoiseEffect(declared.noise.name, field, declared.noise.scale)
@@ -167,6 +168,28 @@ class Catalogue:
         """All that changes a simulation: the gyro's effects, then the known parameters."""
         return (*self.effects, *self.known)
 
+    def with_tolerances(self, tolerances: Mapping[str, float]) -> "Catalogue":
+        """The catalogue with stated tolerances, by key in files and in the key's unit, in place of
+        the declared ones. A gyro's effect that has one is a nominal value."""
+
+        def state(effect: Effect) -> Effect:
+            key, family = effect.keys[0], "nominal" if effect.family == "gyro" else effect.family
+            tolerance = tolerances[key.name] * key.factor
+            return replace(effect, family=family, tolerance=tolerance, relative_tolerance=0.0)
+
+        def is_stated(effect: Effect) -> bool:
+            return effect.keys[0].name in tolerances
+
+        candidates = dict.fromkeys((*self.known, *_KNOWN_OR_EXACT, *self.effects))
+        return Catalogue(
+            tuple(effect for effect in self.effects if not is_stated(effect)),
+            self.noises,
+            (
+                *(effect for effect in self.known if not is_stated(effect)),
+                *(state(effect) for effect in candidates if is_stated(effect)),
+            ),
+        )
+
     def without(self, names: Collection[str]) -> "Catalogue":
         """The catalogue less the effects and noises of these names."""
         return Catalogue(
@@ -181,5 +204,5 @@ FULL_CATALOGUE = Catalogue()
 EFFECT_NAMES = (*(effect.name for effect in DETERMINISTIC), *(noise.name for noise in NOISES))
 """Names of all effects and noises in the record format, in the order of the catalogue."""
 
-EFFECTS = {effect.name: effect for effect in (*DETERMINISTIC, *KNOWN)}
+EFFECTS = {effect.name: effect for effect in (*DETERMINISTIC, *_KNOWN_OR_EXACT)}
 NOISE_EFFECTS = {noise.name: noise for noise in NOISES}

@@ -23,6 +23,12 @@ ANGLES = ("gyro_angle", "wave_angle")
 """Fields of a log that are read at the end of a row."""
 READ_AT_END = {**OUTPUTS_AT_END, "quadrature": "quadrature"}
 START_TEMPERATURE = "resonator.environment.startTemperature"
+SCALES = {
+    "amplitude": "amplitude_scale",
+    "amplitude_force": "amplitude_force_scale",
+    "quadrature_force": "quadrature_force_scale",
+}
+"""Field of a device that states the relative error of a recorded channel."""
 CLOCK_FIELDS = ("clock_latency", "clock_rate")
 """Fields of a device that state by how much later angles are read."""
 STEP_ROUNDING = 1e-9
@@ -136,7 +142,7 @@ def list_read_out_fields(log: Log) -> tuple[str, ...]:
     """Fields of a device that change what a recorder reads of this test, and not what the gyro
     does. A pattern that is turned by command starts elsewhere if its angle was read later."""
     clock = () if log.virtual_rotation.any() else CLOCK_FIELDS
-    return ("frequency_error", "amplitude_latency", *clock)
+    return ("frequency_error", "amplitude_latency", *SCALES.values(), *clock)
 
 
 def read_change(rows: Mapping[str, Array], old: Device, new: Device, log: Log) -> dict[str, Array]:
@@ -156,3 +162,16 @@ def read_change(rows: Mapping[str, Array], old: Device, new: Device, log: Log) -
     )
     change["frequency_offset"] += (new.frequency_error - old.frequency_error) * (1 + detuned)
     return change
+
+
+def scale_channels(values: Mapping[str, Array], device: Device) -> dict[str, Array]:
+    """Values by channel as a device's recorder reads them, whose channels have wrong scales."""
+    scales = {name: 1 + getattr(device, field) for name, field in SCALES.items()}
+    return {name: own * scales.get(name, 1.0) for name, own in values.items()}
+
+
+def list_scale_steps(old: Device, new: Device) -> dict[str, float]:
+    """Change of each channel's scale from one device to another, without those that are the
+    same."""
+    steps = {name: getattr(new, own) - getattr(old, own) for name, own in SCALES.items()}
+    return {name: step for name, step in steps.items() if step}

@@ -7,7 +7,7 @@ from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
 from pyhrg.gap.replay.inputs.inputs import ReplayInputs
 from pyhrg.gap.replay.observations import FINE_ROW
-from pyhrg.gap.replay.replay import replay_together
+from pyhrg.gap.replay.replay import replay_together, scale_channels
 
 STEPS_PER_ROW = 100
 """Communication steps of the sampled gyro in a row, where the row has so many control periods.
@@ -27,7 +27,8 @@ def replay_sampled_together(
 ) -> list[dict[str, Array]]:
     """`replay_sampled` of several devices."""
     step = choose_sampled_step(inputs.log.interval)
-    return replay_together(fmu, [(device, inputs) for device in devices], step)
+    answers = replay_together(fmu, [(device, inputs) for device in devices], step)
+    return [scale_channels(*pair) for pair in zip(answers, devices, strict=True)]
 
 
 def choose_sampled_step(interval: float, steps: int = STEPS_PER_ROW) -> float:

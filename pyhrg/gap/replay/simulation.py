@@ -23,7 +23,13 @@ from pyhrg.gap.replay.observations import (
     ObservedTest,
     compute_settling_time,
 )
-from pyhrg.gap.replay.replay import ANGLES, replay_inputs
+from pyhrg.gap.replay.replay import (
+    ANGLES,
+    SCALES,
+    list_scale_steps,
+    replay_inputs,
+    scale_channels,
+)
 from pyhrg.gap.replay.sampled import choose_sampled_step, is_short, replay_sampled
 from pyhrg.theory.closed_forms import beyond_the_average
 
@@ -101,9 +107,8 @@ class Simulation:
         turned = corrected["wave_angle"] - settled["wave_angle"]
         slopes = self.differentiate_by_angle(device, test).slopes
         shifted = {name: slopes[name] * turned for name in CHANNELS if name not in ANGLES}
-        return add_channels(
-            apply_loop_response(corrected, device, test.log, test.log.amplitude_setpoint), shifted
-        )
+        forced = apply_loop_response(corrected, device, test.log, test.log.amplitude_setpoint)
+        return add_channels(scale_channels(forced, device), shifted)
 
     def _run_with_phase_lag(self, device: Device, inputs: ReplayInputs) -> dict[str, Array]:
         """With quasi-steady loops, and the phase loop's lag behind a frequency that drifts."""
@@ -160,6 +165,13 @@ class Simulation:
             else:
                 last = next(runs)
             differences.append(_subtract(first, last, device, other, test))
+        steps = [list_scale_steps(device, other) for other in others]
+        if not any(steps):
+            return differences
+        exact: dict[str, Any] = dict.fromkeys(SCALES.values(), 0.0)
+        read = self.simulate(replace(device, **exact), test)
+        for change, own in zip(differences, steps, strict=True):
+            change |= {name: change[name] + step * read[name] for name, step in own.items()}
         return differences
 
     def _is_read_out(self, device: Device, other: Device, test: ObservedTest) -> bool:
@@ -228,17 +240,17 @@ def _subtract(
     first: ChannelValues, last: ChannelValues, low: Device, high: Device, test: ObservedTest
 ) -> dict[str, Array]:
     """Change by channel from the first answers, of `low`, to the last, of `high`, with the loops'
-    response where loops did not run."""
+    response where loops did not run, as the recorder of `high` scales it."""
     change = {name: last[name] - first[name] for name in CHANNELS}
     if is_short(len(test.log.time), test.log.interval):
-        return change
+        return scale_channels(change, high)
     change["quadrature"] = last["quadrature"] - first["quadrature"]
     change = apply_loop_response(change, high, test.log, 0.0)
     if any(getattr(low, name) != getattr(high, name) for name in LOOP_FIELDS):
         before, after = (apply_loop_response(dict(first), d, test.log, 0.0) for d in (low, high))
         for name in ("amplitude", *FORCES):
             change[name] = change[name] + after[name] - before[name]
-    return change
+    return scale_channels(change, high)
 
 
 def add_channels(values: ChannelValues, difference: ChannelValues) -> dict[str, Array]:

@@ -51,7 +51,13 @@ class ImportedCampaign:
     def _make_campaign(self, logs: list[Log]) -> Campaign:
         pairs = ((test.mapping, log) for test, log in zip(self.tests, logs, strict=True))
         tests = tuple(Test(m.id, m.kind, m.role, log) for m, log in pairs)
-        return Campaign(self.mapping.device, self.mapping.site, self.mapping.nominal, tests)
+        return Campaign(
+            self.mapping.device,
+            self.mapping.site,
+            self.mapping.nominal,
+            tests,
+            self.mapping.tolerances,
+        )
 
 
 def import_campaign(

@@ -6,13 +6,16 @@ from pathlib import Path
 from pyhrg.common.site import Site
 from pyhrg.common.toml_table import TomlTable, read_table
 from pyhrg.device.device_file import from_table
-from pyhrg.records.campaign import FILE_NAME, ROLES, read_site
+from pyhrg.records.campaign import FILE_NAME, ROLES, read_site, read_tolerances
 from pyhrg.records.campaign_import.column_mapping import BY_STEM, ColumnMapping, read_columns
 from pyhrg.records.campaign_import.layout import Layout, read_layout
 from pyhrg.records.timing import INTERVAL_RANGE
 
 REQUIRED_NOMINAL = ("coriolis_factor", "decay_time_s", "frequency_Hz")
 """Nominal values that a mapping must state: without them nothing can be simulated."""
+
+KEYS = ("device", "site", "nominal", "tolerances", "rows_s", "layout", "columns", "tests")
+"""Keys of a mapping."""
 
 
 @dataclass(frozen=True)
@@ -43,19 +46,23 @@ class TestMapping:
 
 @dataclass(frozen=True)
 class CampaignMapping:
-    """The mapping of all tests of one gyro. source: its file; nominal: by keys of a device file."""
+    """The mapping of all tests of one gyro. source: its file; nominal, tolerances: by keys of a
+    device file."""
 
     source: str
     device: str
     site: Site
     nominal: dict[str, float]
+    tolerances: dict[str, float]
     tests: tuple[TestMapping, ...]
 
 
 def read_mapping(path: Path) -> CampaignMapping:
     """Read a mapping (docs/import.md); the files that it names are beside it."""
     top = read_table(path)
-    top.check_known(("device", "site", "nominal", "rows_s", "layout", "columns", "tests"))
+    top.check_known(
+        ("device", "site", "nominal", "tolerances", "rows_s", "layout", "columns", "tests")
+    )
     tests = tuple(_read_test(entry, top, path.parent) for entry in top.tables("tests"))
     if not tests:
         raise top.missing("tests", "[[tests]], one a log")
@@ -67,7 +74,8 @@ def read_mapping(path: Path) -> CampaignMapping:
     if not isinstance(device, str) or not device:
         raise top.error("device", device, "the gyro's name")
     top.table("site").check_known(("latitude_deg", "gravity_m_s2"))
-    return CampaignMapping(str(path), device, read_site(top), _read_nominal(top), tests)
+    stated = _read_nominal(top), read_tolerances(top)
+    return CampaignMapping(str(path), device, read_site(top), *stated, tests)
 
 
 def _read_nominal(top: TomlTable) -> dict[str, float]:

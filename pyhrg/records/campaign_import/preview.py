@@ -35,6 +35,9 @@ def describe_tests(mapping: CampaignMapping, tests: Sequence[ImportedTest]) -> s
         f"site: latitude_deg {site.latitude_deg:g}, gravity_m_s2 {site.gravity:g}",
         f"nominal: {', '.join(stated)}",
     ]
+    if mapping.tolerances:
+        own = [f"{key} {value:g}" for key, value in mapping.tolerances.items()]
+        lines.append(f"tolerances: {', '.join(own)}")
     unstated = [key for key in NOMINAL if key not in mapping.nominal]
     if unstated:
         lines.append(f"nominal: not stated, so as in any ideal gyro: {', '.join(unstated)}")

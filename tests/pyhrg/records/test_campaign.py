@@ -26,6 +26,7 @@ def made_up_campaign() -> Campaign:
             Test("rate_pos", "rate", "fit", made_up_log(60, 5 * DEG)),
             Test("rate_neg", "rate", "holdout", made_up_log(60, -5 * DEG)),
         ),
+        tolerances={"decay_time_s": 20.0, "amplitude_force_scale": 0.02},
     )
 
 
@@ -47,7 +48,7 @@ def test_written_campaign_is_read_back(folder: Path, tmp_path: Path) -> None:
     assert found.device == made.device
     assert found.site.latitude == pytest.approx(made.site.latitude, rel=1e-15)
     assert found.site.gravity == made.site.gravity
-    assert found.nominal == made.nominal
+    assert (found.nominal, found.tolerances) == (made.nominal, made.tolerances)
     for before, after in zip(made.tests, found.tests, strict=True):
         assert (after.id, after.kind, after.role) == (before.id, before.kind, before.role)
         assert after.log.exclusions == ()
@@ -156,3 +157,16 @@ def test_recorded_campaign_is_read(recorded_campaign: Path) -> None:
     assert found.nominal["coriolis_factor"] == 0.277
     assert [test.kind for test in found.tests if test.is_holdout] == ["manoeuvre"]
     assert all(test.log.exclusions == () for test in found.tests)
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "expected"),
+    [
+        ("decay_time", 20.0, "tolerances.decay_time: found an unknown key"),
+        ("decay_time_s", 0.0, "tolerances.decay_time_s: found 0.0, expected"),
+    ],
+)
+def test_a_wrong_tolerance_is_named(folder: Path, key: str, value: float, expected: str) -> None:
+    edit(folder, lambda index: index["tolerances"].update({key: value}))
+    with pytest.raises(HrgError, match=expected):
+        campaign.read_campaign(folder)

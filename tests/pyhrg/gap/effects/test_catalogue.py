@@ -1,5 +1,6 @@
 """Effects as vectors: there and back, in the format's units, within what a gyro may have."""
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -9,7 +10,15 @@ from pyhrg.challenge.scoring.score import COORDINATES
 from pyhrg.common.units import DEG
 from pyhrg.device.declarations import read_declarations
 from pyhrg.device.device import Device
-from pyhrg.gap.effects.catalogue import DETERMINISTIC, EFFECT_NAMES, EFFECTS, Effect
+from pyhrg.gap.effects.catalogue import (
+    DETERMINISTIC,
+    EFFECT_NAMES,
+    EFFECTS,
+    FULL_CATALOGUE,
+    KNOWN,
+    Effect,
+)
+from pyhrg.gap.replay.replay import SCALES
 
 DEVICE = Device(damping_anisotropy=1e-6, damping_axis=20 * DEG, phase_error=1e-3)
 
@@ -47,3 +56,18 @@ def test_every_declared_effect_has_one_name_and_one_position() -> None:
         "damping_anisotropy",
         "frequency_split",
     ]
+
+
+def test_a_stated_tolerance_replaces_the_declared_one() -> None:
+    """An effect of the gyro is then a nominal value, and an exact scale is known within it."""
+    stated = {"decay_time_s": 20.0, "frequency_split_Hz": 1e-5, "amplitude_force_scale": 0.02}
+    catalogue = FULL_CATALOGUE.with_tolerances(stated)
+    known = {effect.name: effect for effect in catalogue.known}
+    assert known["nominal_decay_time"].tolerance_of(Device(decay_time=450.0)) == 20.0
+    assert known["frequency_split"].family == "nominal"
+    assert known["frequency_split"].tolerance == pytest.approx(2 * math.pi * 1e-5)
+    assert known["amplitude_force_scale"].tolerance == 0.02
+    assert "frequency_split" not in {effect.name for effect in catalogue.effects}
+    assert len(catalogue.parameters) == len(FULL_CATALOGUE.parameters) + 1
+    assert FULL_CATALOGUE.with_tolerances({}) == FULL_CATALOGUE
+    assert not any(effect.fields[0] in SCALES.values() for effect in KNOWN)

@@ -13,11 +13,13 @@ from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import (
     Design,
+    TestChannel,
     build_design,
     compute_model_error,
     discount_model_error,
 )
 from pyhrg.gap.effects.form import Form
+from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.known_parameters import KnownParameters
 from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.evidence.evidence import NO_GROUPS, Fit
@@ -168,46 +170,68 @@ def rank_under_noise(
     noise: NoiseHypothesis,
     nominal: Device,
     parts: Sequence[LinearTest],
-    linearization_error: float = 0.0,
     start: Collection[Group] = (),
     forms: FormError = NO_ERROR,
 ) -> Hypothesis:
-    """Rank sets of effects and candidate terms under one noise of the output angle.
+    """Rank sets of effects and candidate terms under one noise of the output angle, where the
+    linearization error is negligible.
 
-    The linearization error is the chi-square that the linear model may get wrong in each channel of
-    each test (Eq. (10)). Only where it is negligible, jumps and steps that stand out of the
-    residual are ranked too, and infeasible sizes are refused. The search may start from the set
-    that is the most probable under another noise.
+    Jumps and steps that stand out of the residual are ranked too, and infeasible sizes are refused.
+    The search may start from the set that is the most probable under another noise.
     """
-    nominal_noise = estimate_nominal_noise(nominal, parts)
-    model_error = compute_model_error(parts, nominal_noise)
-    for part in parts:
-        for channel, left in part.test.unexplained.items():
-            model_error[part.test.test.id, channel] += left
-    channel_noise = replace(nominal_noise, angle=noise.noise)
-    exact = build_design(parts, channel_noise, model_error, forms=tuple(forms.sigmas))
+    channel_noise, model_error = _estimate_errors(noise, nominal, parts)
     tolerances = _list_tolerances(nominal, parts)
     tolerances.update(forms.sigmas.items())
-    known = KnownParameters(exact, tolerances, forms.terms)
-    if linearization_error:
-        error = {where: linearization_error + power for where, power in model_error.items()}
-        rough = KnownParameters(discount_model_error(exact, error), tolerances)
-        return Hypothesis(noise, channel_noise, rough, rank_sets(rough.marginal), known)
     is_feasible = make_feasibility_check(nominal, parts[0].sensitivities)
-    ranking = rank_sets(known.marginal, is_feasible, start, forms.terms)
-    hypothesis = Hypothesis(noise, channel_noise, known, ranking, known, forms)
+
+    def rank(start: Collection[Group], jumps: Sequence[Jump] = ()) -> Hypothesis:
+        whole = build_design(parts, channel_noise, model_error, jumps, tuple(forms.sigmas))
+        known = KnownParameters(whole, tolerances, forms.terms)
+        ranking = rank_sets(known.marginal, is_feasible, start, forms.terms)
+        return Hypothesis(noise, channel_noise, known, ranking, known, forms)
+
+    hypothesis = rank(start)
     removed = distinct_by_groups(hypothesis.sizes, hypothesis.effect_sizes)
     residuals = [
         compute_residuals(parts, r, channel_noise, nominal, ("gyro_angle",)) for r in removed
     ]
     quantum = nominal.quantization_step
-    if jumps := {jump for r in residuals for jump in (*find_jumps(r), *find_steps(r, quantum))}:
-        ordered = sorted(jumps, key=lambda jump: jump.words)
-        exact = build_design(parts, channel_noise, model_error, ordered, tuple(forms.sigmas))
-        known = KnownParameters(exact, tolerances, forms.terms)
-        ranking = rank_sets(known.marginal, is_feasible, ranking.best.groups, forms.terms)
-        hypothesis = Hypothesis(noise, channel_noise, known, ranking, known, forms)
-    return hypothesis
+    jumps = {jump for r in residuals for jump in (*find_jumps(r), *find_steps(r, quantum))}
+    if not jumps:
+        return hypothesis
+    return rank(hypothesis.ranking.best.groups, sorted(jumps, key=lambda jump: jump.words))
+
+
+def rank_roughly(
+    noise: NoiseHypothesis,
+    nominal: Device,
+    parts: Sequence[LinearTest],
+    linearization_error: float,
+) -> Hypothesis:
+    """Rank sets under one noise of the output angle, where the linear model may get this chi-square
+    wrong in each channel of each test (Eq. (10)): it counts as noise."""
+    channel_noise, model_error = _estimate_errors(noise, nominal, parts)
+    error = {where: linearization_error + power for where, power in model_error.items()}
+    whole, tolerances = (
+        build_design(parts, channel_noise, model_error),
+        _list_tolerances(nominal, parts),
+    )
+    rough = KnownParameters(discount_model_error(whole, error), tolerances)
+    exact = KnownParameters(whole, tolerances)
+    return Hypothesis(noise, channel_noise, rough, rank_sets(rough.marginal), exact)
+
+
+def _estimate_errors(
+    noise: NoiseHypothesis, nominal: Device, parts: Sequence[LinearTest]
+) -> tuple[CampaignNoise, dict[TestChannel, float]]:
+    """Noise of all channels under a noise of the output angle; and the chi-square that the
+    simulation may get wrong in each channel of each test, with what is left unexplained there."""
+    nominal_noise = estimate_nominal_noise(nominal, parts)
+    model_error = compute_model_error(parts, nominal_noise)
+    for part in parts:
+        for channel, power in part.test.unexplained.items():
+            model_error[part.test.test.id, channel] += power
+    return replace(nominal_noise, angle=noise.noise), model_error
 
 
 def suppose_nothing(nominal: Device, parts: Sequence[LinearTest]) -> Hypothesis:

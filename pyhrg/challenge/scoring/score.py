@@ -17,11 +17,11 @@ from pyhrg.challenge.scoring.figure import (
 )
 from pyhrg.challenge.scoring.named import (
     AnyCase,
+    RefusedCase,
     ScoredCase,
     has_all_named,
     has_none_invented,
     is_family_right,
-    is_refused,
     is_right,
     is_unexplained,
     is_wrong,
@@ -37,6 +37,7 @@ from pyhrg.device.device import Device
 from pyhrg.device.keys import KEYS
 from pyhrg.gap.effects.catalogue import EFFECTS
 from pyhrg.gap.findings.diagnosis import Diagnosis
+from pyhrg.gap.findings.localisation import sum_shares
 
 BINS = 10
 """Number of bins of claims by their probability, with equal counts."""
@@ -128,6 +129,7 @@ def score_figures(cases: Sequence[AnyCase], seed: int) -> list[Figure]:
     removed = [find_removed_share(case) for case in list_answered(outside)]
     shares = [share for share in removed if share is not None]
     settled = [is_settled(case) for case in answered if case.then]
+    refused = [isinstance(case, RefusedCase) for case in cases]
     return [
         _share("false alarm without a gap", none, is_alarm, "at most", 0.02),
         _share("single: right effect or its class", single, is_right, "at least", 0.95),
@@ -151,7 +153,7 @@ def score_figures(cases: Sequence[AnyCase], seed: int) -> list[Figure]:
         quantile("held-out area over its floor, before: median", before, 0.5, "at least", 0.0),
         quantile("held-out area over its floor, after: median", after, 0.5, "at most", 1.3),
         proportion("next test settles the class", settled, "at least", 0.95),
-        proportion("diagnosis refused", list(map(is_refused, cases)), "at most", 0.0),
+        proportion("diagnosis refused", refused, "at most", 0.0),
     ]
 
 
@@ -219,9 +221,7 @@ def is_owned(case: ScoredCase) -> bool:
 
 def find_main_coordinate(diagnosis: Diagnosis) -> str | None:
     """The coordinate with the largest share of the gap."""
-    shares: dict[str, float] = {}
-    for place in diagnosis.where:
-        shares[place.coordinate] = shares.get(place.coordinate, 0.0) + place.share
+    shares = sum_shares(diagnosis.where, lambda place: place.coordinate)
     return max(shares, key=lambda name: shares[name]) if shares else None
 
 

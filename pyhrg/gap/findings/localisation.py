@@ -4,8 +4,10 @@ The method is matching pursuit over candidate terms (docs/methods/verdict.md, Eq
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +17,7 @@ from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.design import Block, Design
 from pyhrg.gap.effects.linear_test import LinearTest
 
+Key = TypeVar("Key", bound=Hashable)
 Columns = Mapping[CandidateTerm, NDArray[np.int64]]
 """Columns of each term within a block."""
 
@@ -46,6 +49,14 @@ class Place:
     share: float
     sigmas: float
     harmonic: int | None = None
+
+
+def sum_shares(places: Sequence[Place], key: Callable[[Place], Key]) -> dict[Key, float]:
+    """Shares of the gap by a key of its places; 0 for others."""
+    shares: dict[Key, float] = defaultdict(float)
+    for place in places:
+        shares[key(place)] += place.share
+    return shares
 
 
 def locate_gap(

@@ -10,11 +10,11 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import make_choice, make_paragraph
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95
+from pyhrg.gap.findings.localisation import sum_shares
 from pyhrg.gap.report.closing import NOT_VERIFIED
 from pyhrg.gap.report.figures.panels import ALL, Panel, compute_panels, draw_panel, find_extremes
 from pyhrg.gap.report.figures.strips import Band, Labels, Size, Strip, draw_strips
 from pyhrg.gap.report.figures.views import ANGLE, AXES, VIEWS, View, draw_view_noise
-from pyhrg.gap.report.places import sum_shares
 from pyhrg.records import Log
 
 POINTS = 400

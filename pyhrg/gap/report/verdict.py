@@ -8,10 +8,10 @@ from pyhrg.device.declarations import format_effect
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.effects.catalogue import EFFECTS
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, GapFigure, KnownValue
+from pyhrg.gap.findings.localisation import sum_shares
 from pyhrg.gap.findings.verdict import UNEXPLAINED_PROBABILITY
 from pyhrg.gap.replay.observations import CHANNEL_WORDS
 from pyhrg.gap.report.closing import describe_closing
-from pyhrg.gap.report.places import sum_shares
 from pyhrg.gap.report.terms import (
     describe_class,
     describe_term,

@@ -79,9 +79,9 @@ def compute_response(
 
 
 def _make_term(
-    channel: str, coordinate: str, function: str, harmonic: int | None = None, place: str = ""
+    channel: str, coordinate: str, function: str, harmonic: int | None = None, prefix: str = ""
 ) -> CandidateTerm:
-    words = f"{place}: {function}" if place else function
+    words = f"{prefix}: {function}" if prefix else function
     return CandidateTerm(channel, coordinate, words, harmonic)
 
 
@@ -135,7 +135,7 @@ def _generate_angle_terms(where: Coordinates) -> Iterator[PlacedTerm]:
             yield _make_term(*key, "angle"), block, count_table_from_start if is_table else _show
         if function in SPECIFIC_FORCES:
             yield _make_term(*key, "angle"), block, _count_from_start
-    backlash = _make_term("gyro_angle", "table_angle", LAST_MOTION, place="angle")
+    backlash = _make_term("gyro_angle", "table_angle", LAST_MOTION, prefix="angle")
     yield backlash, where.table_direction, _show
     for coordinate, function, harmonic, block in _generate_products(where):
         yield _make_term("gyro_angle", coordinate, function, harmonic, "bias"), block, integrate

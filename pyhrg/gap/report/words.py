@@ -56,7 +56,7 @@ PLACES = {
 }
 """Place of a proposed term."""
 PARTS = {"phase": "Electronics, phase", "drive gain": "Drive, gain"}
-"""Part of the place at which a term acts, by the words before its function."""
+"""Part of the place at which a term acts, by the term's prefix."""
 TERM_UNITS = {
     "deg_h": "deg/h",
     "K2": "K²",

@@ -87,9 +87,9 @@ class Basis:
 def express_term(term: CandidateTerm) -> tuple[Basis, ...]:
     """Basis functions of a term in the order of its columns; none if it can't be written: a value
     for each power-on, a step of the pattern."""
-    if term.function.startswith("pattern: "):
+    if term.prefix == "pattern":
         return ()
-    bases = _express(re.sub("^[a-z -]+: ", "", term.function))
+    bases = _express(term.bare_function)
     if not term.is_encoder_error:
         return bases
     if term.coordinate == "acceleration":

@@ -46,7 +46,7 @@ class Preparation(NamedTuple):
     quantization: AddedNoise | None
 
     @property
-    def read_device(self) -> Device:
+    def quantized_device(self) -> Device:
         """The nominal device with the quantization that the readings show."""
         return put_quantization(self.nominal, self.quantization)
 

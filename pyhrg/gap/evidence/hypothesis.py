@@ -25,7 +25,7 @@ from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.evidence.evidence import NO_GROUPS, Fit
 from pyhrg.gap.evidence.jump_search import find_jumps, find_steps
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
-from pyhrg.gap.evidence.residuals import compute_residuals, distinct_by_groups
+from pyhrg.gap.evidence.residuals import compute_residuals, select_distinct
 from pyhrg.gap.evidence.search import Ranking, is_unnamed, rank_sets
 from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.whitening.campaign_noise import CampaignNoise
@@ -191,7 +191,7 @@ def rank_under_noise(
         return Hypothesis(noise, channel_noise, known, ranking, known, forms)
 
     hypothesis = rank(start)
-    removed = distinct_by_groups(hypothesis.sizes, hypothesis.effect_sizes)
+    removed = select_distinct(hypothesis.sizes, hypothesis.effect_sizes)
     residuals = [
         compute_residuals(parts, r, channel_noise, nominal, ("gyro_angle",)) for r in removed
     ]

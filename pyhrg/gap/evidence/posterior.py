@@ -16,6 +16,7 @@ from scipy.special import ndtr, softmax
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import Effect, NoiseEffect
+from pyhrg.gap.effects.design import Sizes
 from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS
 from pyhrg.gap.evidence.form_error import rank_with_forms
@@ -23,7 +24,7 @@ from pyhrg.gap.evidence.hypothesis import Hypothesis, sigma_along
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
 from pyhrg.gap.evidence.noise.noise_search import fit_rival_noises
-from pyhrg.gap.evidence.residuals import Removed, compute_residuals, distinct_by_groups
+from pyhrg.gap.evidence.residuals import compute_residuals, select_distinct
 from pyhrg.gap.whitening.channel_noise import build_angle_noise
 
 EVIDENT_CHI2 = 1e4
@@ -132,7 +133,7 @@ def compare_noises(
     best, stated = first, build_angle_noise(nominal)
     by_kind, tried = {first.noise.kind: first}, set[tuple[Group, ...]]()
 
-    def fit_noises(removed: Removed) -> list[NoiseHypothesis]:
+    def fit_noises(removed: Sizes) -> list[NoiseHypothesis]:
         """The noise of this residual, the same without each of its noises, and beside a noise
         without a name those of the catalogue. The known parameters were estimated under another
         noise, so that the residual alone does not decide between these."""
@@ -145,7 +146,7 @@ def compare_noises(
     while True:
         is_evident = best.ranking.best.explained >= EVIDENT_CHI2
         nothing = [] if is_evident else [best.known.estimate({})]
-        choices = distinct_by_groups(best.sizes, best.effect_sizes, *nothing)
+        choices = select_distinct(best.sizes, best.effect_sizes, *nothing)
         due = [removed for removed in choices if tuple(removed) not in tried]
         if not due:
             break

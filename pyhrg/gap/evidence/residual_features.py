@@ -16,11 +16,12 @@ from scipy.stats import rankdata
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
+from pyhrg.gap.effects.design import Sizes
 from pyhrg.gap.effects.linear_test import LinearTest
 from pyhrg.gap.evidence.evidence import HALF_UNNAMED_ODDS, log_evidence
 from pyhrg.gap.evidence.hypothesis import Hypothesis
 from pyhrg.gap.evidence.noise.noise_posterior import TOLERANCE
-from pyhrg.gap.evidence.residuals import Removed, Residual, compute_residuals
+from pyhrg.gap.evidence.residuals import Residual, compute_residuals
 from pyhrg.gap.evidence.unexplained import find_excesses
 from pyhrg.gap.replay.observations import CHANNEL_WORDS, CHANNELS
 from pyhrg.gap.whitening.smoothing import is_coarsely_quantized, is_table_coarse
@@ -66,7 +67,7 @@ class ResidualFeature:
 
 
 def compute_checked_residuals(
-    hypothesis: Hypothesis, removed: Removed, parts: Sequence[LinearTest], nominal: Device
+    hypothesis: Hypothesis, removed: Sizes, parts: Sequence[LinearTest], nominal: Device
 ) -> list[Residual]:
     """Residuals in which features are looked for, without these groups, under the noise of a
     hypothesis.

@@ -11,9 +11,10 @@ import numpy as np
 
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_H
+from pyhrg.gap.effects.design import Sizes
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
-from pyhrg.gap.evidence.residuals import Removed, compute_residuals
+from pyhrg.gap.evidence.residuals import compute_residuals
 from pyhrg.gap.findings.diagnosis import Gap, Leftover
 from pyhrg.gap.replay.observations import CHANNELS
 
@@ -72,7 +73,7 @@ def _list_term_responses(attribution: Attribution) -> Mapping[str, list[tuple[Ar
     test."""
     hypothesis = attribution.posterior.best
     noise, nominal = attribution.channel_noise, attribution.nominal
-    without_terms: Removed = dict(hypothesis.effect_sizes.items())
+    without_terms: Sizes = dict(hypothesis.effect_sizes.items())
     ends = [
         compute_residuals(attribution.parts, removed, noise, nominal, CHANNELS)
         for removed in (without_terms, hypothesis.sizes)

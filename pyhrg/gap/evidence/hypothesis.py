@@ -104,7 +104,7 @@ class Hypothesis:
         return {
             effect: (size, covariance)
             for effect, (size, covariance) in departures.items()
-            if np.linalg.norm(size) > SIGNIFICANT_SIGMA * sigma_along(size, covariance)
+            if np.linalg.norm(size) > SIGNIFICANT_SIGMA * compute_sigma_along(size, covariance)
         }
 
     @property
@@ -160,7 +160,7 @@ def _put(nominal: Device, sizes: Mapping[Effect, Array]) -> Device:
     return device
 
 
-def sigma_along(size: Array, covariance: Array) -> float:
+def compute_sigma_along(size: Array, covariance: Array) -> float:
     """Standard deviation of a vector along its own direction."""
     along = size / (float(np.linalg.norm(size)) or 1.0)
     return math.sqrt(float(along @ covariance @ along)) or math.ulp(0.0)
@@ -262,7 +262,7 @@ def make_feasibility_check(nominal: Device, effects: Collection[Effect]) -> Call
             excess = math.hypot(*total) - high
         else:
             excess = max(low - float(total[0]), float(total[0]) - high)
-        return excess <= 0 or excess <= NORMAL_95 * sigma_along(size, covariance)
+        return excess <= 0 or excess <= NORMAL_95 * compute_sigma_along(size, covariance)
 
     def is_feasible(fit: Fit) -> bool:
         groups = zip(fit.groups, fit.values, fit.covariances, strict=True)

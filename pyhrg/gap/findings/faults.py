@@ -7,7 +7,7 @@ import numpy as np
 from pyhrg.common.units import ARCSEC
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.evidence.evidence import Fit
-from pyhrg.gap.evidence.hypothesis import sigma_along
+from pyhrg.gap.evidence.hypothesis import compute_sigma_along
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95
 from pyhrg.gap.findings.diagnosis import Cause, KnownValue
 from pyhrg.gap.findings.verdict import BEYOND_PROBABILITY
@@ -18,7 +18,11 @@ def list_ripples(best: Fit) -> list[Fault]:
     """Ripples of the table among the candidate terms of a set."""
     groups = zip(best.groups, best.values, best.covariances, strict=True)
     return [
-        Fault(g.fault, float(np.linalg.norm(size)) / ARCSEC, sigma_along(size, covariance) / ARCSEC)
+        Fault(
+            g.fault,
+            float(np.linalg.norm(size)) / ARCSEC,
+            compute_sigma_along(size, covariance) / ARCSEC,
+        )
         for g, size, covariance in groups
         if isinstance(g, CandidateTerm) and g.fault
     ]

@@ -16,7 +16,7 @@ from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.equivalence.hidden_effects import find_hidden_effects
 from pyhrg.gap.evidence.equivalence.known_equivalents import find_known_equivalents
 from pyhrg.gap.evidence.evidence import find_equivalents
-from pyhrg.gap.evidence.hypothesis import sigma_along
+from pyhrg.gap.evidence.hypothesis import compute_sigma_along
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise
 from pyhrg.gap.evidence.residual_features import (
     ResidualFeature,
@@ -95,7 +95,7 @@ def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[
             continue
         total = effect.vector(nominal) + size
         others = [e.name for e in find_equivalents(attribution.design, best, effect, effects)]
-        others += posterior.equivalents(effect.name)
+        others += posterior.list_equivalents(effect.name)
         others += find_known_equivalents(known, best, nominal, effect, known.effects)
         others += [h.effect.name for h in hidden if effect in h.shifted]
         others += attribution.ranking.list_replacements(effect)
@@ -122,7 +122,9 @@ def _find_known_causes(attribution: Attribution, effects: Sequence[Effect]) -> l
         total = effect.vector(nominal) + size
         probability = _compute_beyond(effect.tolerance_of(nominal), size, covariance)
         if probability > BEYOND_PROBABILITY:
-            intervals = _intervals(effect, total, partial(sigma_along, covariance=covariance))
+            intervals = _intervals(
+                effect, total, partial(compute_sigma_along, covariance=covariance)
+            )
             values, candidates = effect.parameters(total), (*effects, *known.effects)
             others = find_known_equivalents(known, fitted, nominal, effect, candidates)
             others = (*others, *_list_imitators(effect.name, *others))
@@ -148,7 +150,7 @@ def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
                     key.name,
                     parameters[key.name],
                     effect.parameters(stated)[key.name],
-                    _intervals(effect, total, partial(sigma_along, covariance=covariance))[
+                    _intervals(effect, total, partial(compute_sigma_along, covariance=covariance))[
                         key.name
                     ],
                     tolerance / key.factor,
@@ -161,7 +163,7 @@ def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
 def _compute_beyond(tolerance: float, size: Array, covariance: Array) -> float:
     """Probability that the length of a departure exceeds the tolerance; normal along it."""
     length = float(np.linalg.norm(size))
-    return compute_beyond_probability(length - tolerance, sigma_along(size, covariance))
+    return compute_beyond_probability(length - tolerance, compute_sigma_along(size, covariance))
 
 
 def _intervals(
@@ -192,7 +194,7 @@ def _in_units(key: Key, value: float, half_width: float) -> tuple[float, float]:
 def _noise_cause(attribution: Attribution, added: AddedNoise) -> Cause:
     name, key = added.effect.name, added.effect.key
     low, high = (key.from_si(end) for end in added.interval)
-    others = dict.fromkeys([*added.equivalents, *attribution.posterior.equivalents(name)])
+    others = dict.fromkeys([*added.equivalents, *attribution.posterior.list_equivalents(name)])
     return Cause(
         name,
         attribution.posterior.probability(name, *others),

@@ -64,7 +64,7 @@ def find_rivals(attribution: Attribution, effects: Sequence[Effect]) -> list[Riv
     }
     hypothesis = attribution.posterior.best
     hidden = find_hidden_effects(attribution.design, best, effects)
-    swapped = [h for h in attribution.posterior.rivals() if set(h.ranking.best.groups) != own]
+    swapped = [h for h in attribution.posterior.list_rivals() if set(h.ranking.best.groups) != own]
     return [
         make_rival(hypothesis, best),
         *[make_rival(h, h.ranking.best) for h in swapped],

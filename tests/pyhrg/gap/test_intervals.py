@@ -12,7 +12,7 @@ import pytest
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.catalogue import EFFECTS
 from pyhrg.gap.evidence.evidence import Fit
-from pyhrg.gap.evidence.hypothesis import Hypothesis, sigma_along
+from pyhrg.gap.evidence.hypothesis import Hypothesis, compute_sigma_along
 from pyhrg.gap.evidence.posterior import Posterior
 from pyhrg.gap.evidence.search import Ranking
 from pyhrg.gap.findings.verdict import _intervals
@@ -26,7 +26,7 @@ def axis_at(degrees: float, magnitude: float = 1e-6) -> Array:
 
 
 def _along(covariance: Array) -> Callable[[Array], float]:
-    return partial(sigma_along, covariance=covariance)
+    return partial(compute_sigma_along, covariance=covariance)
 
 
 @pytest.mark.parametrize("degrees", [0.0, 0.01, 45.0, 89.99])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
-from pyhrg.gap.evidence.noise.noise_levels import log_likelihood
+from pyhrg.gap.evidence.noise.noise_levels import compute_log_likelihood
 from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.next_test.candidate_tests import LONG_ROWS
 from pyhrg.gap.next_test.noise_divergence import compute_divergence, increment_spectrum
@@ -52,7 +52,7 @@ def test_divergence_is_the_mean_log_likelihood_ratio_of_draws(
             interval,
             BELIEVED,
         )
-        own, other = (log_likelihood([record], noise) for noise in (BELIEVED, rival))
+        own, other = (compute_log_likelihood([record], noise) for noise in (BELIEVED, rival))
         gained.append(own - other)
     error = np.std(gained) / np.sqrt(len(gained))
     expected = compute_divergence(BELIEVED, rival, n * interval, interval)

@@ -38,7 +38,7 @@ def list_fault_causes(faults: Iterable[Fault]) -> tuple[Cause, ...]:
             name,
             max(fault.beyond_probability for fault in group),
             {fault.kind.parameter: fault.value for fault in group},
-            {fault.kind.parameter: _interval(fault) for fault in group},
+            {fault.kind.parameter: _compute_interval(fault) for fault in group},
             family=group[0].kind.family,
         )
         for name, group in groups.items()
@@ -54,7 +54,7 @@ def list_tolerated_faults(faults: Sequence[Fault]) -> tuple[KnownValue, ...]:
             fault.kind.parameter,
             fault.value,
             fault.kind.sound,
-            _interval(fault),
+            _compute_interval(fault),
             fault.kind.tolerance,
             {fault.kind.parameter: fault.value},
         )
@@ -67,6 +67,6 @@ def _is_beyond(fault: Fault) -> bool:
     return fault.beyond_probability > BEYOND_PROBABILITY
 
 
-def _interval(fault: Fault) -> tuple[float, float]:
+def _compute_interval(fault: Fault) -> tuple[float, float]:
     half_width = NORMAL_95 * fault.sigma
     return fault.value - half_width, fault.value + half_width

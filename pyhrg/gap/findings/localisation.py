@@ -107,7 +107,7 @@ def _pursue_shared(
     """Test, coordinate, harmonic and power of terms with the same size in all tests; and the blocks
     with these terms removed."""
     parts = []
-    threshold = max(MIN_POWER, UNPLACED_SHARE * sum(_excess(block) for block in blocks))
+    threshold = max(MIN_POWER, UNPLACED_SHARE * sum(_compute_excess(block) for block in blocks))
     candidates = dict(columns)
     while (choice := _choose_term(blocks, candidates, threshold)) is not None:
         best, power, sizes = choice
@@ -116,7 +116,10 @@ def _pursue_shared(
             replace(block, gram=_subtract(block.gram, where, size))
             for block, size in zip(blocks, sizes, strict=True)
         ]
-        gains = [max(_excess(b) - _excess(a), 0.0) for b, a in zip(blocks, after, strict=True)]
+        gains = [
+            max(_compute_excess(b) - _compute_excess(a), 0.0)
+            for b, a in zip(blocks, after, strict=True)
+        ]
         for block, gain in zip(blocks, gains, strict=True):
             if gain > 0:
                 share = gain / sum(gains)
@@ -148,14 +151,14 @@ def _choose_term(
     return None
 
 
-def _excess(block: Block) -> float:
+def _compute_excess(block: Block) -> float:
     """Power of a residual beyond that of its noise."""
     return float(block.gram[-1, -1]) - block.rows
 
 
 def _pursue(block: Block, columns: Columns) -> list[tuple[str, int | None, float]]:
     """Coordinate, harmonic and power of terms in one test."""
-    excess = _excess(block)
+    excess = _compute_excess(block)
     if excess < MIN_EXCESS_SIGMA * np.sqrt(2 * block.rows):
         return []
     candidates = dict(columns)

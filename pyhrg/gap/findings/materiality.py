@@ -51,9 +51,9 @@ def measure_leftover(attribution: Attribution, gap: Gap) -> Leftover:
     ]
     noise_angle, noise_rate = measure_unnamed_noise(attribution.noise)
     return Leftover(
-        max(_largest_rms(angles), noise_angle, *excess) / ARCSEC,
+        max(_find_largest_rms(angles), noise_angle, *excess) / ARCSEC,
         max([*rates, noise_rate]) / DEG_PER_H,
-        max(_largest_rms(by_channel[name]) / scale for name, scale in scales.items()),
+        max(_find_largest_rms(by_channel[name]) / scale for name, scale in scales.items()),
     )
 
 
@@ -84,6 +84,6 @@ def _list_term_responses(attribution: Attribution) -> Mapping[str, list[tuple[Ar
     return responses
 
 
-def _largest_rms(tests: list[tuple[Array, Array]]) -> float:
+def _find_largest_rms(tests: list[tuple[Array, Array]]) -> float:
     """Rms in the test where it is largest: tests that do not excite a cause make it no smaller."""
     return max((float(np.sqrt(np.mean(v**2))) for _, v in tests if len(v)), default=0.0)

@@ -84,7 +84,7 @@ def make_terms(posterior: Posterior, causes: Mapping[CandidateTerm, Series]) -> 
 
 def _make_term(posterior: Posterior, best: Fit, term: CandidateTerm, series: Series) -> Term:
     rivals = _rank_rivals(posterior, best, term)
-    discovery = _probability(posterior, term, *rivals)
+    discovery = _compute_probability(posterior, term, *rivals)
     acting = find_acting(term)
     coefficients = [c for function in series for c in list_coefficients(function)]
     factors = np.array([c.basis.scale / c.factor for c in coefficients])
@@ -124,7 +124,7 @@ def _rank_rivals(
     return dict(zip(order, shares.tolist(), strict=True))
 
 
-def _probability(posterior: Posterior, *terms: CandidateTerm) -> float:
+def _compute_probability(posterior: Posterior, *terms: CandidateTerm) -> float:
     """Posterior probability that one of these terms takes part."""
     pairs = zip(posterior.hypotheses, posterior.probabilities, strict=True)
     return min(1.0, sum(p * h.ranking.probability(*terms) for h, p in pairs))

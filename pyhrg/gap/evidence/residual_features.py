@@ -20,7 +20,7 @@ from pyhrg.gap.effects.design import Sizes
 from pyhrg.gap.effects.linear_test import LinearTest
 from pyhrg.gap.evidence.evidence import HALF_UNNAMED_ODDS, compute_log_evidence
 from pyhrg.gap.evidence.hypothesis import Hypothesis
-from pyhrg.gap.evidence.noise.noise_posterior import TOLERANCE
+from pyhrg.gap.evidence.noise.noise_posterior import STATED_LEVEL_SIGMA
 from pyhrg.gap.evidence.residuals import Residual, compute_residuals
 from pyhrg.gap.evidence.unexplained import find_excesses
 from pyhrg.gap.replay.observations import CHANNEL_WORDS, CHANNELS
@@ -211,7 +211,7 @@ def _compute_level_evidence(level: Array, readings: int, information: float) -> 
     tails.
     """
     log_ratio = np.log(level) / 2
-    log_ratio = np.sign(log_ratio) * np.maximum(np.abs(log_ratio) - TOLERANCE, 0.0)
+    log_ratio = np.sign(log_ratio) * np.maximum(np.abs(log_ratio) - STATED_LEVEL_SIGMA, 0.0)
     n = readings * information
     gain = n / 2 * (np.exp(2 * log_ratio) - 1 - 2 * log_ratio)
     prior = math.log(2 * math.log(MAX_LEVEL_RATIO))

@@ -20,8 +20,8 @@ CERTAIN_CHI2 = 30.0
 """Excess over the number of rows, as chi-square, that steady noise does not have. Chosen."""
 QUIETEST_QUANTILE = 1e-4
 """Quantile of chi-square that the quietest of some tests exceeds. Chosen."""
-LEAST_GROWTH = 1.1
-"""Ratio by which what is left must have grown to be counted anew. Chosen."""
+MIN_GROWTH_RATIO = 1.1
+"""Ratio to the unexplained chi-square counted so far above which it is counted anew. Chosen."""
 
 
 def find_excesses(residuals: Sequence[Residual]) -> Iterator[tuple[Residual, float]]:
@@ -56,7 +56,7 @@ def count_unexplained(
     """The tests, each with the largest unexplained chi-square of each channel so far; None where
     these powers are nowhere larger than known before."""
     known = {(t.test.id, channel): power for t in tests for channel, power in t.unexplained.items()}
-    if all(power <= LEAST_GROWTH * known.get(where, 0.0) for where, power in powers.items()):
+    if all(power <= MIN_GROWTH_RATIO * known.get(where, 0.0) for where, power in powers.items()):
         return None
     largest = {w: max(powers.get(w, 0.0), known.get(w, 0.0)) for w in {**known, **powers}}
 

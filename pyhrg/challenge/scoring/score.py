@@ -55,8 +55,8 @@ def compute_squared_error(claims: Array) -> float:
     ordered = claims[np.lexsort(claims.T[::-1])]
     total = 0.0
     for part in np.array_split(ordered, min(BINS, len(ordered) // 2)):
-        given, so = part[:, 0].mean(), part[:, 1].mean()
-        total += len(part) * ((given - so) ** 2 - so * (1 - so) / (len(part) - 1))
+        stated, true = part[:, 0].mean(), part[:, 1].mean()
+        total += len(part) * ((stated - true) ** 2 - true * (1 - true) / (len(part) - 1))
     return float(total / len(ordered))
 
 
@@ -70,8 +70,8 @@ def score_calibration(
     square: resampling repeats outcomes, which looks like an error, and that is taken out. Claims of
     one campaign are correlated, so campaigns are drawn whole.
     """
-    said = [np.array(campaign, dtype=np.float64).reshape(-1, 2) for campaign in campaigns]
-    claims = np.concatenate([np.empty((0, 2)), *said])
+    by_campaign = [np.array(campaign, dtype=np.float64).reshape(-1, 2) for campaign in campaigns]
+    claims = np.concatenate([np.empty((0, 2)), *by_campaign])
     if len(claims) < 2:
         return Figure(name, 0, math.nan, 0.0, 1.0, sense, target)
     square = compute_squared_error(claims)
@@ -79,15 +79,15 @@ def score_calibration(
     drawn = []
     for _ in range(RESAMPLES):
         chosen = generator.integers(len(campaigns), size=len(campaigns)).tolist()
-        again = np.concatenate([said[i] for i in chosen])
+        again = np.concatenate([by_campaign[i] for i in chosen])
         drawn.append(compute_squared_error(again) if len(again) > 1 else square)
     tail = (1 - CONFIDENCE) / 2
     below, above = np.quantile(drawn, (tail, 1 - tail)).tolist()
-    ends = (_root(2 * square - above), _root(2 * square - below))
-    return Figure(name, len(claims), _root(square), *ends, sense, target)
+    ends = (_take_root(2 * square - above), _take_root(2 * square - below))
+    return Figure(name, len(claims), _take_root(square), *ends, sense, target)
 
 
-def _root(square: float) -> float:
+def _take_root(square: float) -> float:
     return math.sqrt(max(0.0, square))
 
 

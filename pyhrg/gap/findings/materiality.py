@@ -75,7 +75,7 @@ def _list_term_responses(attribution: Attribution) -> Mapping[str, list[tuple[Ar
     noise, nominal = attribution.channel_noise, attribution.nominal
     without_terms: Sizes = dict(hypothesis.effect_sizes.items())
     ends = [
-        compute_residuals(attribution.parts, removed, noise, nominal, CHANNELS)
+        compute_residuals(attribution.parts, removed, noise, nominal)
         for removed in (without_terms, hypothesis.sizes)
     ]
     responses: dict[str, list[tuple[Array, Array]]] = {name: [] for name in CHANNELS}

@@ -42,11 +42,11 @@ def draw_largest(result: CampaignDiagnosis) -> str:
     shares = sum_shares(result.diagnosis.where, lambda place: (place.test, place.channel))
     last = (result.tests[-1].test.id, ANGLE.channel)
     name, channel = max(shares, key=lambda key: shares[key], default=last)
-    i = next((i for i, test in enumerate(result.tests) if test.test.id == name), -1)
+    i = [test.test.id for test in result.tests].index(name)
     view = next(view for view in VIEWS if view.channel == channel)
     if not np.isfinite(result.before[i][channel]).any():
         return ""
-    return f'<div class="panels one">{_draw_test(result, i % len(result.tests), view)}</div>'
+    return f'<div class="panels one">{_draw_test(result, i, view)}</div>'
 
 
 def _draw_test(result: CampaignDiagnosis, i: int, view: View = ANGLE) -> str:

@@ -79,14 +79,16 @@ def write_headline(diagnosis: Diagnosis) -> str:
     is_single = len(diagnosis.causes) == 1
     too = f"; {IMMATERIAL_CAUSE}" if has_immaterial_cause(diagnosis) else ""
     if diagnosis.verdict == "no_gap":
-        within = "within the noise"
         if diagnosis.within_tolerance or diagnosis.left.angle_arcsec:
             return (
                 f"No gap: the records agree with the simulation within tolerances and noise{too}."
             )
-        return f"No gap: the records agree with the simulation of the nominal gyro {within}{too}."
+        return (
+            "No gap: the records agree with the simulation of the nominal gyro within the noise"
+            f"{too}."
+        )
     if diagnosis.verdict == "explained":
-        place = _list_families(diagnosis)
+        place = join_words(list(dict.fromkeys(FAMILIES[c.family] for c in diagnosis.causes)))
         causes = f"its cause{' is' if is_single else 's are'} {names}"
         return f"The gap is explained, and lies in {place}: {causes}{too}."
     if diagnosis.verdict == "ambiguous" and diagnosis.gap.is_wider_held_out:
@@ -158,10 +160,6 @@ def has_immaterial_cause(diagnosis: Diagnosis) -> bool:
     """Whether something outside the catalogue takes part and does not count for the verdict."""
     is_there = diagnosis.unknown_probability >= UNEXPLAINED_PROBABILITY
     return is_there and diagnosis.verdict != "unexplained"
-
-
-def _list_families(diagnosis: Diagnosis) -> str:
-    return join_words(list(dict.fromkeys(FAMILIES[c.family] for c in diagnosis.causes)))
 
 
 def _say_where(diagnosis: Diagnosis) -> list[str]:

@@ -113,7 +113,7 @@ def screen_campaign(campaign: Campaign) -> Screening:
         raise CampaignError(f"{INDEX}: nominal.{missing[0]}: missing; expected a number")
     unknown = [name for name in campaign.nominal if name not in KEY_NAMES]
     notes = [f"{INDEX}: nominal.{name}: not known, ignored" for name in unknown]
-    nominal = nominal_device(campaign)
+    nominal = build_nominal_device(campaign)
     logs = [_read_log(test) for test in campaign.tests]
     pairs = list(zip(campaign.tests, logs, strict=True))
     to_fit = [log for test, log in pairs if isinstance(log, Log) and not test.is_holdout]
@@ -143,7 +143,7 @@ def screen_campaign(campaign: Campaign) -> Screening:
     return Screening(replace(campaign, tests=tuple(tests)), tuple(notes), faults)
 
 
-def nominal_device(campaign: Campaign) -> Device:
+def build_nominal_device(campaign: Campaign) -> Device:
     """The device that a campaign's nominal values state, without values that are no device key;
     an `HrgError` where they are no device's."""
     nominal = {name: value for name, value in campaign.nominal.items() if name in KEY_NAMES}

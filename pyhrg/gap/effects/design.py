@@ -129,7 +129,7 @@ class Design:
         return np.concatenate([np.empty(0, np.int64), *own])
 
 
-def list_forms(design: Design, term: CandidateTerm) -> list[CandidateTerm]:
+def list_rival_terms(design: Design, term: CandidateTerm) -> list[CandidateTerm]:
     """Candidate terms of a term's channel, jumps left out: what may stand in its place."""
     terms = [g for g in design.groups if isinstance(g, CandidateTerm) and not isinstance(g, Jump)]
     return [g for g in terms if g.channel == term.channel and not isinstance(term, Jump)]

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.special import softmax
 
-from pyhrg.gap.closing.equation.forms import COORDINATE_OF, Basis, express_term
+from pyhrg.gap.closing.equation.expressions import COORDINATE_OF, Basis, express_term
 from pyhrg.gap.closing.equation.places import Acting, find_acting
 from pyhrg.gap.closing.equation.series import Series, estimate_causes
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
-from pyhrg.gap.effects.design import list_forms
+from pyhrg.gap.effects.design import list_rival_terms
 from pyhrg.gap.evidence.evidence import Fit, find_equivalents
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95
 from pyhrg.gap.evidence.posterior import Posterior
@@ -118,7 +118,7 @@ def _rank_rivals(
     """Rival forms: candidate terms of the same channel that explain about as much in the place of
     the term. The share of each in the probability of the class, the most probable first."""
     design = posterior.best.design
-    fits = find_equivalents(design, best, term, list_forms(design, term))
+    fits = find_equivalents(design, best, term, list_rival_terms(design, term))
     order = sorted(fits, key=lambda g: (-fits[g].log_evidence, g.words))
     shares = softmax([best.log_evidence, *(fits[g].log_evidence for g in order)])[1:]
     return dict(zip(order, shares.tolist(), strict=True))

@@ -99,7 +99,7 @@ def express_term(term: CandidateTerm) -> tuple[Basis, ...]:
 
 def _express(function: str) -> tuple[Basis, ...]:
     """Basis functions of a function in words; none if it can't be written."""
-    for pattern, make in _FORMS:
+    for pattern, make in _EXPRESSIONS:
         if match := re.fullmatch(pattern, function):
             return make(match)
     return ()
@@ -229,7 +229,7 @@ def _raise_function(match: Match) -> tuple[Basis, ...]:
     return tuple(_raise(basis, int(match[1]), match[3]) for basis in _express(match[2]))
 
 
-_FORMS: tuple[tuple[str, Callable[[Match], tuple[Basis, ...]]], ...] = (
+_EXPRESSIONS: tuple[tuple[str, Callable[[Match], tuple[Basis, ...]]], ...] = (
     (r"(.*), times (power \d of )?(?:the )?(.*?)( to \S*)?", _multiply),
     (r"power (\d) of (.*) to (\S*)", _raise_function),
     ("mean over the pattern angle", lambda m: (Basis("mean", "1", "1", 1.0, "", ()),)),

@@ -31,10 +31,10 @@ def main(level: str = "good-lab", seed: str = "1", count: str = "4") -> None:
     simulation = load_simulation()
     fmus = Fmus(load_model("HRGCarrier"), simulation)
     settings = Settings({"several": int(count)}, int(seed), STRONGEST_SIGMAS, level, "full")
-    for case in settings.cases():
+    for case in settings.list_cases():
         drawn = prepare_case(case, simulation)
         made = drawn.record_tests([(plan, fmus.of(plan)) for plan in drawn.plans], NOISE)
-        campaign = drawn.campaign([test for test, _ in made])
+        campaign = drawn.make_campaign([test for test, _ in made])
         device, errors = drawn.state.device, drawn.laboratory.errors
         true = replace(device, **{name: getattr(device, name) + errors[name] for name in errors})
         tests = [

@@ -87,8 +87,8 @@ class PreparedCase:
     ) -> list[tuple[Test, Array]]:
         """Tests of the true gyro, each by its model, and (n,) the part of noise in each output
         angle, rad."""
-        noise, state, laboratory = _generator(self.case, stream), self.state, self.laboratory
-        faults = _generator(self.case, stream + len(STREAMS))
+        noise, state, laboratory = _make_generator(self.case, stream), self.state, self.laboratory
+        faults = _make_generator(self.case, stream + len(STREAMS))
         device, reference = laboratory.true_device(state.device), self.device.reference_temperature
         shown = state.disturbance.shown
         disturbance = replace(
@@ -103,7 +103,7 @@ class PreparedCase:
             made.append((Test(plan.id, plan.kind, plan.role, log), angle_noise))
         return made
 
-    def campaign(self, tests: Sequence[Test]) -> Campaign:
+    def make_campaign(self, tests: Sequence[Test]) -> Campaign:
         """A campaign of tests with its nominal device."""
         return Campaign(self.case.name, self.site, self.nominal, tuple(tests))
 
@@ -116,18 +116,18 @@ information about the effect."""
 
 def prepare_case(case: Case, simulation: Simulation) -> PreparedCase:
     """Draw a case from its seed."""
-    gyro = _generator(case, GYRO)
+    gyro = _make_generator(case, GYRO)
     nominal, site = draw_nominal(gyro), draw_site(gyro)
     device = replace(device_file.from_table(nominal, "nominal"), site=site)
     own = Instruments().draw_another(gyro)
-    made = plan_tests(device, _generator(case, BENCH), bool(case.without), case.data)
+    made = plan_tests(device, _make_generator(case, BENCH), bool(case.without), case.data)
     fitted = [(make_measured_course(p.programme), p.start_angle) for p in made if p.role == "fit"]
     level = LEVELS[case.level]
     meter = Meter(simulation, device, fitted, own, vary_each(device, level))
     effects = case.without or EFFECT_NAMES
-    drawing = Drawing(meter, _generator(case, EFFECT), case.strengths, effects)
-    laboratory = draw_laboratory(device, level, _generator(case, LABORATORY))
-    state = drawing.state(case.kind)
+    drawing = Drawing(meter, _make_generator(case, EFFECT), case.strengths, effects)
+    laboratory = draw_laboratory(device, level, _make_generator(case, LABORATORY))
+    state = drawing.draw_state(case.kind)
     return PreparedCase(case, nominal, site, device, own, made, state, laboratory)
 
 
@@ -138,7 +138,7 @@ def generate_case(case: Case, fmus: Fmus) -> tuple[Campaign, Truth]:
     noise = np.concatenate([noise for test, noise in made if test.is_holdout])
     encoder = drawn.laboratory.level * ENCODER_NOISE
     rms = float(np.sqrt(np.mean(noise**2) + encoder**2)) / ARCSEC
-    campaign = drawn.campaign([test for test, _ in made])
+    campaign = drawn.make_campaign([test for test, _ in made])
     beyond = drawn.laboratory.list_beyond(drawn.device)
     return campaign, replace(drawn.state.truth, holdout_noise_arcsec=rms, beyond=beyond)
 
@@ -151,10 +151,10 @@ def add_next_test(case: Case, campaign: Campaign, kind: str, hours: float, fmus:
         ValueError: no such kind of test.
     """
     drawn = prepare_case(case, fmus.simulation)
-    more = plan_further_tests(kind, hours, drawn.device, _generator(case, NEXT_BENCH))
+    more = plan_further_tests(kind, hours, drawn.device, _make_generator(case, NEXT_BENCH))
     made = drawn.record_tests([(plan, fmus.simulation.sampled) for plan in more], NEXT_NOISE)
-    return drawn.campaign((*campaign.tests, *(test for test, _ in made)))
+    return drawn.make_campaign((*campaign.tests, *(test for test, _ in made)))
 
 
-def _generator(case: Case, stream: int) -> np.random.Generator:
+def _make_generator(case: Case, stream: int) -> np.random.Generator:
     return np.random.default_rng(np.random.SeedSequence(case.seed, spawn_key=(stream,)))

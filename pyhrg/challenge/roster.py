@@ -27,7 +27,7 @@ MAX_CASES = 1_000_000
 """Largest number of cases of a kind. Chosen."""
 STRONGEST_SIGMAS = 10 * DETECTION_SIGMAS
 """Strength of the strongest effect, sigmas, where none is stated (chosen)."""
-WEAK = (1.0, DETECTION_SIGMAS)
+WEAK_STRENGTHS = (1.0, DETECTION_SIGMAS)
 """Range of the strengths of weak effects, sigmas (chosen)."""
 STRENGTH_RANGE = 10.0
 """Strength of the strongest of several effects over that of one: real gyros have large and small
@@ -45,7 +45,7 @@ class Settings:
     level: str = "ideal"
     data: str = "full"
 
-    def cases(self) -> list[Case]:
+    def list_cases(self) -> list[Case]:
         """All cases. Neither name nor order reveals a case's kind."""
         kinds = [kind for kind in KINDS for _ in range(self.counts.get(kind, 0))]
         generator = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(0,)))
@@ -67,7 +67,7 @@ class Settings:
 
     def _get_strengths(self, kind: str) -> tuple[float, float]:
         if kind == "weak":
-            return WEAK
+            return WEAK_STRENGTHS
         return DETECTION_SIGMAS, self.strongest * (STRENGTH_RANGE if kind == "several" else 1.0)
 
 
@@ -131,7 +131,7 @@ class Folder:
             )
         write_whole(self.settings, text)
 
-    def begun(self) -> Settings:
+    def read_settings(self) -> Settings:
         """The settings that the folder was begun with."""
         table = read_json_table(self.settings)
         counts = table.table("counts")

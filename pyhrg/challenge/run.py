@@ -59,9 +59,9 @@ class Challenge:
         bytes on any number of workers."""
         require_extra("build")
         known = self._read_others(others)
-        cases = self.settings.cases()
+        cases = self.settings.list_cases()
         self.folder.begin(self.settings)
-        with share_work(workers, self.progress, _fmus) as share:
+        with share_work(workers, self.progress, _load_fmus) as share:
             hashes = share("generated", partial(_generate, self), cases)
             self.folder.publish(cases, hashes)
             share("diagnosed", partial(_diagnose, self), cases)
@@ -164,10 +164,10 @@ def _load_simulation_once() -> Simulation:
 
 def read_finished(folder: Folder) -> Finished:
     """A finished challenge, read from its folder; its truths are checked by their hashes."""
-    settings, published = folder.begun(), folder.read_hashes()
+    settings, published = folder.read_settings(), folder.read_hashes()
     cases = [
         _read_case(folder, case.name, published.get(case.name, "nothing"))
-        for case in settings.cases()
+        for case in settings.list_cases()
     ]
     return Finished(settings, cases)
 
@@ -189,7 +189,7 @@ def _generate(challenge: Challenge, case: Case) -> str:
     if truth.exists() and (campaign / campaigns.INDEX).exists():
         return hash_truth(truth)
     try:
-        made, answer = generate_case(case, _fmus())
+        made, answer = generate_case(case, _load_fmus())
     except (ValueError, GyroError) as error:
         raise ChallengeError(f"{case.name}: {error}") from error
     with replace_folder(campaign) as aside:
@@ -211,7 +211,7 @@ def _diagnose_next(challenge: Challenge, case: Case) -> None:
     if not (extended / campaigns.INDEX).exists():
         before = campaigns.read_campaign(folder.campaign(case.name))
         try:
-            made = add_next_test(case, before, test.kind, test.hours, _fmus())
+            made = add_next_test(case, before, test.kind, test.hours, _load_fmus())
         except (ValueError, GyroError) as error:
             raise ChallengeError(f"{case.name}: next_test: {error}") from error
         with replace_folder(extended) as aside:
@@ -234,6 +234,6 @@ def _diagnose_once(challenge: Challenge, case: Case, campaign: Path, out: Path) 
 
 
 @cache
-def _fmus() -> Fmus:
+def _load_fmus() -> Fmus:
     """The models, loaded once in each process."""
     return Fmus(load_model("HRGCarrier"), _load_simulation_once())

@@ -35,7 +35,7 @@ def share_work(
     with ProcessPoolExecutor(workers, multiprocessing.get_context("spawn")) as pool:
         try:
             yield lambda title, work, cases: _collect(
-                title, _results(pool, workers, title, work, cases), len(cases), progress
+                title, _yield_results(pool, workers, title, work, cases), len(cases), progress
             )
         except BaseException:
             # a pool that is asked to end may wait for ever; what is half done is done again
@@ -45,7 +45,7 @@ def share_work(
             raise
 
 
-def _results(
+def _yield_results(
     pool: ProcessPoolExecutor,
     workers: int,
     title: str,

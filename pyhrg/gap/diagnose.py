@@ -203,7 +203,7 @@ def diagnose(
     simulation = simulation or load_simulation(report)
     prepared = prepare_campaign(campaign, simulation, catalogue.noises)
     fitted = [test for test in prepared.tests if not test.test.is_holdout]
-    attribution = attribute_gap(simulation, prepared.read_device, fitted, catalogue, report)
+    attribution = attribute_gap(simulation, prepared.quantized_device, fitted, catalogue, report)
     attribution = refine_terms(simulation, attribution, catalogue.noises)
     attribution = complete_noises(attribution, catalogue.noises, prepared.quantization)
     report("closing, verifying, and looking for the next test")
@@ -214,8 +214,15 @@ def diagnose(
     summary = _summarize(
         campaign.device, simulation, catalogue, attribution, prepared, closing, gap, bound
     )
-    ends = closing.device, tuple(prepared.tests), closing.before, closing.after
-    return CampaignDiagnosis(summary, attribution, prepared.nominal, *ends)
+    return CampaignDiagnosis(
+        summary,
+        attribution,
+        prepared.nominal,
+        closing.device,
+        tuple(prepared.tests),
+        closing.before,
+        closing.after,
+    )
 
 
 def _close(
@@ -225,7 +232,8 @@ def _close(
     closing = close_gap(simulation, attribution, tests)
     closing = verify_terms(simulation, attribution, tests, closing)
     closing = take_out_origins(simulation, closing, tests, attribution.channel_noise)
-    before, after = ([of["gyro_angle"] for of in r] for r in (closing.before, closing.after))
+    stages = (closing.before, closing.after)
+    before, after = ([residuals["gyro_angle"] for residuals in stage] for stage in stages)
     return closing, compute_gap_figures(tests, before, after, attribution.noise.noise)
 
 
@@ -240,14 +248,14 @@ def _summarize(
     bound: Worth,
 ) -> Diagnosis:
     features = verdicts.check_residuals(attribution)
-    left = measure_leftover(attribution, gap)
+    leftover = measure_leftover(attribution, gap)
     faults = (*prepared.faults, *list_ripples(attribution.ranking.best))
     verdict, causes, unknown_probability = verdicts.reach_verdict(
         attribution,
         catalogue.effects,
         list_fault_causes(faults),
         features,
-        left.exceeds(bound),
+        leftover.exceeds(bound),
         gap.is_wider_held_out,
     )
     stated = build_angle_noise(prepared.nominal)
@@ -276,7 +284,7 @@ def _summarize(
             *verdicts.list_known_values(attribution),
             *list_tolerated_faults(faults),
         ),
-        left=left,
+        left=leftover,
         bound=bound,
         terms=closing.terms,
     )

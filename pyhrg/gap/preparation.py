@@ -20,7 +20,7 @@ from pyhrg.gap.replay.reading_noise import (
     estimate_reading_noise,
 )
 from pyhrg.gap.replay.simulation import Simulation
-from pyhrg.gap.soundness import nominal_device, screen_campaign
+from pyhrg.gap.soundness import build_nominal_device, screen_campaign
 from pyhrg.gap.soundness.fault import Fault, list_reading_faults
 from pyhrg.records.campaign import Campaign, CampaignError, Test
 from pyhrg.records.table import merge_sources
@@ -46,7 +46,7 @@ class Preparation(NamedTuple):
     quantization: AddedNoise | None
 
     @property
-    def read_device(self) -> Device:
+    def quantized_device(self) -> Device:
         """The nominal device with the quantization that the readings show."""
         return put_quantization(self.nominal, self.quantization)
 
@@ -105,7 +105,7 @@ def _select_tests(
     excluded += tuple(NO_START.format(test.id) for test in usable.tests if test not in started)
     if all(test.is_holdout for test in started):
         raise CampaignError("; ".join(["no test can be fitted to", *excluded]))
-    return nominal_device(usable), started, excluded, faults
+    return build_nominal_device(usable), started, excluded, faults
 
 
 def observe_tests(

@@ -45,13 +45,13 @@ def _write_challenge(folder: Path) -> None:
     challenge = Folder(folder)
     settings = Settings({"none": 1, "single": 1}, 1, 60.0, "ideal")
     challenge.begin(settings)
-    challenge.publish(settings.cases(), ["0" * 64] * len(settings.cases()))
+    challenge.publish(settings.list_cases(), ["0" * 64] * len(settings.list_cases()))
 
 
 def _read_challenge(folder: Path) -> None:
     challenge = Folder(folder)
-    settings, published = challenge.begun(), challenge.read_hashes()
-    assert {case.name for case in settings.cases()} | set(published)
+    settings, published = challenge.read_settings(), challenge.read_hashes()
+    assert {case.name for case in settings.list_cases()} | set(published)
 
 
 IDENTITY = {"device": "typical", "seed": 1}

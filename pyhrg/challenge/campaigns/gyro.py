@@ -131,8 +131,8 @@ class TrueGyro:
         """The device without noise, with its first commands from time 0 on."""
         first = {HELD_INPUTS[name]: float(values[0]) for name, values in commands.items()}
         quiet = self.device.without_noise()
-        rest = {} if self.fmu.is_sampled else {"samplePeriod": step}
-        model = {**quiet.model, **self.disturbance.model, **first, **rest}
+        period = {} if self.fmu.is_sampled else {"samplePeriod": step}
+        model = {**quiet.model, **self.disturbance.model, **first, **period}
         return replace(quiet, quantization_step=0.0, model=model)
 
 

@@ -66,20 +66,20 @@ class Laboratory:
         """A true log as the instruments of this laboratory read it, without noise."""
         if not self.level:
             return log
-        of = self.errors
-        late = of["clock_latency"] + of["clock_rate"] * log.time
-        turned = log.table_angle + of["encoder_eccentricity_phase"]
-        run_out = np.sin(turned) - np.sin(of["encoder_eccentricity_phase"])
-        warm = _follow(log.temperature, log.interval, of["thermometer_lag"])
-        change = (warm - reference_temperature) * (1 + of["thermometer_gain"])
+        errors = self.errors
+        late = errors["clock_latency"] + errors["clock_rate"] * log.time
+        turned = log.table_angle + errors["encoder_eccentricity_phase"]
+        run_out = np.sin(turned) - np.sin(errors["encoder_eccentricity_phase"])
+        warm = _follow(log.temperature, log.interval, errors["thermometer_lag"])
+        change = (warm - reference_temperature) * (1 + errors["thermometer_gain"])
         return replace(
             log,
-            table_angle=log.table_angle - of["encoder_eccentricity"] * run_out,
-            temperature=reference_temperature + change + of["thermometer_offset"],
-            frequency_offset=log.frequency_offset + of["frequency_error"],
+            table_angle=log.table_angle - errors["encoder_eccentricity"] * run_out,
+            temperature=reference_temperature + change + errors["thermometer_offset"],
+            frequency_offset=log.frequency_offset + errors["frequency_error"],
             gyro_angle=_read_late(log.gyro_angle, log.time, late),
             wave_angle=_read_late(log.wave_angle, log.time, late),
-            amplitude=_read_late(log.amplitude, log.time, of["amplitude_latency"]),
+            amplitude=_read_late(log.amplitude, log.time, errors["amplitude_latency"]),
         )
 
     def record(self, log: Log, generator: np.random.Generator) -> Log:

@@ -44,11 +44,6 @@ class RefusedCase:
 AnyCase = ScoredCase | RefusedCase
 
 
-def is_refused(case: AnyCase) -> bool:
-    """There is no diagnosis."""
-    return isinstance(case, RefusedCase)
-
-
 def list_answered(cases: Iterable[AnyCase]) -> list[ScoredCase]:
     """Cases that have a diagnosis."""
     return [case for case in cases if isinstance(case, ScoredCase)]

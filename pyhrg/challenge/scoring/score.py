@@ -17,11 +17,11 @@ from pyhrg.challenge.scoring.figure import (
 )
 from pyhrg.challenge.scoring.named import (
     AnyCase,
+    RefusedCase,
     ScoredCase,
     has_all_named,
     has_none_invented,
     is_family_right,
-    is_refused,
     is_right,
     is_unexplained,
     is_wrong,
@@ -37,6 +37,7 @@ from pyhrg.device.device import Device
 from pyhrg.device.keys import KEYS
 from pyhrg.gap.effects.catalogue import EFFECTS
 from pyhrg.gap.findings.diagnosis import Diagnosis
+from pyhrg.gap.findings.localisation import sum_shares
 
 BINS = 10
 """Number of bins of claims by their probability, with equal counts."""
@@ -54,8 +55,8 @@ def compute_squared_error(claims: Array) -> float:
     ordered = claims[np.lexsort(claims.T[::-1])]
     total = 0.0
     for part in np.array_split(ordered, min(BINS, len(ordered) // 2)):
-        given, so = part[:, 0].mean(), part[:, 1].mean()
-        total += len(part) * ((given - so) ** 2 - so * (1 - so) / (len(part) - 1))
+        stated, true = part[:, 0].mean(), part[:, 1].mean()
+        total += len(part) * ((stated - true) ** 2 - true * (1 - true) / (len(part) - 1))
     return float(total / len(ordered))
 
 
@@ -69,8 +70,8 @@ def score_calibration(
     square: resampling repeats outcomes, which looks like an error, and that is taken out. Claims of
     one campaign are correlated, so campaigns are drawn whole.
     """
-    said = [np.array(campaign, dtype=np.float64).reshape(-1, 2) for campaign in campaigns]
-    claims = np.concatenate([np.empty((0, 2)), *said])
+    by_campaign = [np.array(campaign, dtype=np.float64).reshape(-1, 2) for campaign in campaigns]
+    claims = np.concatenate([np.empty((0, 2)), *by_campaign])
     if len(claims) < 2:
         return Figure(name, 0, math.nan, 0.0, 1.0, sense, target)
     square = compute_squared_error(claims)
@@ -78,15 +79,15 @@ def score_calibration(
     drawn = []
     for _ in range(RESAMPLES):
         chosen = generator.integers(len(campaigns), size=len(campaigns)).tolist()
-        again = np.concatenate([said[i] for i in chosen])
+        again = np.concatenate([by_campaign[i] for i in chosen])
         drawn.append(compute_squared_error(again) if len(again) > 1 else square)
     tail = (1 - CONFIDENCE) / 2
     below, above = np.quantile(drawn, (tail, 1 - tail)).tolist()
-    ends = (_root(2 * square - above), _root(2 * square - below))
-    return Figure(name, len(claims), _root(square), *ends, sense, target)
+    ends = (_take_root(2 * square - above), _take_root(2 * square - below))
+    return Figure(name, len(claims), _take_root(square), *ends, sense, target)
 
 
-def _root(square: float) -> float:
+def _take_root(square: float) -> float:
     return math.sqrt(max(0.0, square))
 
 
@@ -128,6 +129,7 @@ def score_figures(cases: Sequence[AnyCase], seed: int) -> list[Figure]:
     removed = [find_removed_share(case) for case in list_answered(outside)]
     shares = [share for share in removed if share is not None]
     settled = [is_settled(case) for case in answered if case.then]
+    refused = [isinstance(case, RefusedCase) for case in cases]
     return [
         _share("false alarm without a gap", none, is_alarm, "at most", 0.02),
         _share("single: right effect or its class", single, is_right, "at least", 0.95),
@@ -151,7 +153,7 @@ def score_figures(cases: Sequence[AnyCase], seed: int) -> list[Figure]:
         quantile("held-out area over its floor, before: median", before, 0.5, "at least", 0.0),
         quantile("held-out area over its floor, after: median", after, 0.5, "at most", 1.3),
         proportion("next test settles the class", settled, "at least", 0.95),
-        proportion("diagnosis refused", list(map(is_refused, cases)), "at most", 0.0),
+        proportion("diagnosis refused", refused, "at most", 0.0),
     ]
 
 
@@ -219,9 +221,7 @@ def is_owned(case: ScoredCase) -> bool:
 
 def find_main_coordinate(diagnosis: Diagnosis) -> str | None:
     """The coordinate with the largest share of the gap."""
-    shares: dict[str, float] = {}
-    for place in diagnosis.where:
-        shares[place.coordinate] = shares.get(place.coordinate, 0.0) + place.share
+    shares = sum_shares(diagnosis.where, lambda place: place.coordinate)
     return max(shares, key=lambda name: shares[name]) if shares else None
 
 

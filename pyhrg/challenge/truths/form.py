@@ -70,10 +70,10 @@ def follow(values: Array, step: float, lag: float) -> Array:
 def apply_play(values: Array, width: float) -> Array:
     """(n,) values with a play of this width: they lag by half of it, either way."""
     follower = np.empty_like(values)
-    at = values[0]
+    position = values[0]
     for i, value in enumerate(values.tolist()):
-        at = min(max(at, value - width / 2), value + width / 2)
-        follower[i] = at
+        position = min(max(position, value - width / 2), value + width / 2)
+        follower[i] = position
     return follower
 
 

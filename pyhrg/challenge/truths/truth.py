@@ -97,7 +97,7 @@ class Drawing:
     strengths: tuple[float, float]
     effects: Sequence[str]
 
-    def state(self, kind: str) -> TrueState:
+    def draw_state(self, kind: str) -> TrueState:
         """A truth of this kind.
 
         Raises:

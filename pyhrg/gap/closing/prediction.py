@@ -21,7 +21,7 @@ from pyhrg.gap.replay.observations import observe_test
 from pyhrg.gap.replay.reading_noise import estimate_reading_noise
 from pyhrg.gap.replay.sampled import replay_sampled
 from pyhrg.gap.replay.simulation import Simulation, load_simulation
-from pyhrg.gap.soundness import nominal_device
+from pyhrg.gap.soundness import build_nominal_device
 from pyhrg.gap.soundness.glitches import mend_inputs
 from pyhrg.gap.soundness.inputs import complete_inputs
 from pyhrg.gap.soundness.interruption import mend_drive
@@ -77,7 +77,7 @@ def predict(
     campaign = (
         campaign if isinstance(campaign, Campaign) else campaigns.read_campaign(Path(campaign))
     )
-    nominal = nominal_device(campaign)
+    nominal = build_nominal_device(campaign)
     findings = _read(diagnosis, campaign.device)
     identified = read_identified_device(nominal, findings)
     if not isinstance(log, Log):

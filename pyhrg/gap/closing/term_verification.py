@@ -33,32 +33,30 @@ def verify_terms(
     """Closing by causes alone, made one by causes and proposed terms, each with what it removes of
     the excess on held-out tests that the causes leave (docs/methods/equation.md, Eq. 6).
 
-    The residuals after closing are those of the FMU that is written as `closed.fmu`.
+    The residuals after closing are those of the FMU that is written as `closed.fmu`. The tests that
+    were fitted to come first, in the search's order; those in which the terms change next to
+    nothing keep their residuals.
     """
     terms = propose_terms(attribution.posterior)
     noise = attribution.channel_noise
     if not terms:
         return closing
     sizes = list_sizes(attribution.posterior)
-    moved = find_moved_tests(attribution.parts, sizes, noise)
-    fitted = range(len(attribution.parts))
-    fmu = load_closed_fmu(closing.device, terms)
+    device, fmu = closing.device, load_closed_fmu(closing.device, terms)
+    after, fitted = list(closing.after), len(attribution.parts)
+    for i in find_moved_tests(attribution.parts, sizes, noise):
+        (after[i],) = _run(simulation, device, tests[i], fmu, [terms])
     alone = [[term] for term in terms] if len(terms) > 1 else []
-    after, after_each = list(closing.after), list[list[Residuals]]()
-    for i, test in enumerate(tests):
-        if i in moved or i not in fitted:
-            sets = [terms, *alone] if test.test.is_holdout else [terms]
-            after[i], *each = _run(simulation, closing.device, test, fmu, sets)
-            if test.test.is_holdout:
-                after_each.append(each or [after[i]])
-    held_out = [i for i, test in enumerate(tests) if test.test.is_holdout]
-    chosen = [tests[i] for i in held_out]
-    before = [closing.after[i] for i in held_out]
+    after_each = []
+    for i, test in enumerate(tests[fitted:], fitted):
+        after[i], *each = _run(simulation, device, test, fmu, [terms, *alone])
+        after_each.append(each or [after[i]])
+    held_out, before = tests[fitted:], closing.after[fitted:]
     verified = [
         replace(
             term,
             shrink_percent=_compute_shrink(
-                chosen, before, [each[k] for each in after_each], noise, term.channel
+                held_out, before, [each[k] for each in after_each], noise, term.channel
             ),
         )
         for k, term in enumerate(terms)

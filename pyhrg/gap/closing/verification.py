@@ -68,8 +68,8 @@ def _make_figures(rows: Sequence[Array], units: Sequence[float]) -> list[GapFigu
 def measure_distance(tests: Sequence[ObservedTest], residuals: Sequence[Array]) -> Array:
     """(2,) root mean square of residuals of the output angle, (n,) rad in each test, and of the
     rate residual over 100 s, rad/s (docs/methods/verdict.md, Eq. (4)); NaN is left out."""
-    rates = [_rates(t, r) for t, r in zip(tests, residuals, strict=True)]
-    return np.array([_rms(np.concatenate(residuals)), _rms(np.concatenate(rates))])
+    rates = [_compute_rates(t, r) for t, r in zip(tests, residuals, strict=True)]
+    return np.array([_compute_rms(np.concatenate(residuals)), _compute_rms(np.concatenate(rates))])
 
 
 def estimate_noise_floor(tests: Sequence[ObservedTest], noise: NoiseModel, seed: int) -> Array:
@@ -126,12 +126,12 @@ def compute_whiteness(
     return float(chi2.sf(statistic, degrees))
 
 
-def _rates(test: ObservedTest, residual: Array) -> Array:
+def _compute_rates(test: ObservedTest, residual: Array) -> Array:
     rows = max(1, round(RATE_WINDOW / test.log.interval))
     return np.asarray(np.diff(residual[::rows]) / (rows * test.log.interval))
 
 
-def _rms(values: Array) -> float:
+def _compute_rms(values: Array) -> float:
     known = values[np.isfinite(values)]
     return float(np.sqrt(np.mean(known**2))) if len(known) else float("nan")
 

@@ -12,7 +12,7 @@ from pyhrg.gap.replay.observations import CHANNEL_WORDS
 from pyhrg.gap.soundness.fault import TABLE_RIPPLES, FaultKind
 
 Family = tuple[str, str, str]
-"""Channel, place and coordinate of terms that may stand for one cause."""
+"""Channel, prefix and coordinate of terms that may stand for one cause."""
 EACH_POWER_ON = "a value for each power-on"
 
 
@@ -22,7 +22,7 @@ class CandidateTerm:
 
     channel: a field of a log.
     coordinate: of the campaign format.
-    function: which function of the coordinate it is, in words.
+    function: which function of the coordinate it is, in words; before a colon, where it acts.
     harmonic: where the coordinate is an angle.
     """
 
@@ -43,9 +43,21 @@ class CandidateTerm:
         return f"{self.function} ({CHANNEL_WORDS[self.channel]})"
 
     @property
+    def prefix(self) -> str:
+        """Words before the function that say where the term acts, such as "pick-off"; empty where
+        it acts in its channel."""
+        prefix, colon, _ = self.function.partition(": ")
+        return prefix if colon else ""
+
+    @property
+    def bare_function(self) -> str:
+        """The function without the prefix."""
+        return self.function.partition(": ")[2] or self.function
+
+    @property
     def family(self) -> Family:
         """Terms that may stand for one cause with this one."""
-        return self.channel, self.function.rpartition(": ")[0], self.coordinate
+        return self.channel, self.prefix, self.coordinate
 
     @property
     def second(self) -> str:
@@ -61,15 +73,13 @@ class CandidateTerm:
     @property
     def is_reading_error(self) -> bool:
         """Whether the pattern is read, or the output put out, at a wrong angle."""
-        is_read = self.function.startswith(("angle: ", "pick-off: "))
-        return is_read and not self.is_encoder_error
+        return self.prefix in ("angle", "pick-off") and not self.is_encoder_error
 
     @property
     def is_encoder_error(self) -> bool:
         """Whether it is an angle by which the table's encoder and the gyro differ: the encoder is
         wrong, or the table between them twists under its load."""
-        is_of_bench = self.coordinate in ("table_angle", "acceleration")
-        return is_of_bench and self.function.startswith("angle: ")
+        return self.prefix == "angle" and self.coordinate in ("table_angle", "acceleration")
 
     @property
     def fault(self) -> FaultKind | None:

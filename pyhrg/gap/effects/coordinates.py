@@ -29,6 +29,8 @@ TEMPERATURE_POWERS = (1, 2, 3)
 """Powers of the temperature. Chosen."""
 HYSTERESIS_WIDTHS = (2, 5, 10, 20)
 """Widths of the temperature hysteresis, from end to end, K. Chosen."""
+SPECIFIC_FORCES = tuple(f"acceleration {axis}" for axis in "xyz")
+"""Words of the specific forces along the three axes."""
 LAST_MOTION = "direction of the last motion of the table"
 """Words of the function that a backlash of the encoder's drive follows."""
 BACKLASH_WIDTH = 10 * ARCSEC
@@ -44,7 +46,7 @@ SMOOTHING_TIME = 300.0
 """Time over which the slope of a noisy temperature log is taken, s. Chosen."""
 ANISOTROPY_FACTORS = (
     ("temperature", "the temperature"),
-    *(("acceleration", f"acceleration {axis}") for axis in "xyz"),
+    *(("acceleration", words) for words in SPECIFIC_FORCES),
     ("amplitude", "the amplitude"),
     ("time", "the time"),
 )
@@ -122,9 +124,8 @@ class Coordinates:
     def factors(self) -> dict[str, Array]:
         """(n, 1) second functions of products, by their words."""
         log = self.test.log
-        forces = {
-            f"acceleration {axis}": getattr(log, f"acceleration_{axis}") / 10 for axis in "xyz"
-        }
+        accelerations = (log.acceleration_x, log.acceleration_y, log.acceleration_z)
+        forces = {w: own / 10 for w, own in zip(SPECIFIC_FORCES, accelerations, strict=True)}
         factors = {
             "the rate": self.table_rate,
             "the temperature": self.resonator / 10,
@@ -138,6 +139,15 @@ class Coordinates:
     def multiply(self, words: str, block: Array, second: str) -> tuple[str, None, Array]:
         """Words, no harmonic, and (n, b) values of a product with one of these."""
         return f"{words}, times {second}", None, block * self.factors[second]
+
+    def multiply_harmonic(self, m: int, second: str) -> tuple[str, None, Array]:
+        """Words, no harmonic, and values of such a product of a harmonic of the pattern angle."""
+        return self.multiply(name_harmonic(m), self.harmonics[m], second)
+
+
+def name_harmonic(m: int) -> str:
+    """Words of a multiple of the pattern angle."""
+    return f"harmonic {m} of the pattern angle"
 
 
 def compute_coordinates(
@@ -189,7 +199,7 @@ def _generate_functions(where: Coordinates) -> Functions:
 def _generate_angle_functions(where: Coordinates) -> Functions:
     yield "wave_angle", "mean over the pattern angle", 0, np.ones(len(where.pattern_angle))
     for m in PATTERN_HARMONICS:
-        yield "wave_angle", f"harmonic {m} of the pattern angle", m, where.harmonics[m]
+        yield "wave_angle", name_harmonic(m), m, where.harmonics[m]
     for m in TABLE_HARMONICS:
         words = f"harmonic {m} of the table angle"
         yield "table_angle", words, m, where.rotate(m * where.table_angle)
@@ -197,9 +207,8 @@ def _generate_angle_functions(where: Coordinates) -> Functions:
 
 def generate_anisotropies(where: Coordinates) -> Functions:
     """What an anisotropy of damping or stiffness gives that follows another coordinate."""
-    words = "harmonic 4 of the pattern angle"
     for coordinate, second in ANISOTROPY_FACTORS:
-        yield coordinate, *where.multiply(words, where.harmonics[4], second)
+        yield coordinate, *where.multiply_harmonic(4, second)
 
 
 def _generate_temperature_functions(where: Coordinates) -> Functions:
@@ -223,8 +232,7 @@ def _generate_temperature_functions(where: Coordinates) -> Functions:
 def _generate_rate_functions(where: Coordinates) -> Functions:
     rate = where.table_rate
     for m in RATE_HARMONICS:
-        words = f"harmonic {m} of the pattern angle"
-        yield "wave_angle", *where.multiply(words, where.harmonics[m], "the rate")
+        yield "wave_angle", *where.multiply_harmonic(m, "the rate")
     for p, words in ((1, "rate"), (2, "rate squared"), (3, "rate cubed")):
         yield "rate", words, None, rate**p
     yield "rate", "magnitude of the rate", None, np.abs(rate)

@@ -111,11 +111,11 @@ class Design:
                 cross = np.moveaxis(self.gram[rows][:, where], 0, 1)
                 shared = np.linalg.solve(self.gram[np.ix_(rows, rows)], cross)
                 products = inverse @ np.swapaxes(cross, 1, 2) @ shared
-                left = 1 - np.linalg.eigvals(products).real.max(axis=1)
-                best = int(np.argmin(left))
+                remaining = 1 - np.linalg.eigvals(products).real.max(axis=1)
+                best = int(np.argmin(remaining))
                 least = closest.get(effect, (SAME_FUNCTION_SHARE, terms[best]))
-                if left[best] < least[0]:
-                    closest[effect] = float(left[best]), terms[best]
+                if remaining[best] < least[0]:
+                    closest[effect] = float(remaining[best]), terms[best]
         return {effect: term for effect, (_, term) in closest.items()}
 
     @property
@@ -129,7 +129,7 @@ class Design:
         return np.concatenate([np.empty(0, np.int64), *own])
 
 
-def list_forms(design: Design, term: CandidateTerm) -> list[CandidateTerm]:
+def list_rival_terms(design: Design, term: CandidateTerm) -> list[CandidateTerm]:
     """Candidate terms of a term's channel, jumps left out: what may stand in its place."""
     terms = [g for g in design.groups if isinstance(g, CandidateTerm) and not isinstance(g, Jump)]
     return [g for g in terms if g.channel == term.channel and not isinstance(term, Jump)]
@@ -147,20 +147,17 @@ def build_design(
     candidate terms. Forms are what large terms may miss; these terms and forms act in other
     channels too where they make the pattern be read at a wrong angle."""
     error = model_error or {}
-    effects = list(parts[0].sensitivities)
     columns: dict[Group, NDArray[np.int64]] = {}
-    count = _assign_columns(columns, effects, [effect.size for effect in effects], 0)
+    _assign_columns(columns, {effect: effect.size for effect in parts[0].sensitivities})
+    shared = np.concatenate([np.empty(0, np.int64), *columns.values()])
     blocks = []
-    shared = np.arange(count)
     for channel in CHANNELS:
         for index, part in enumerate(parts):
             white = whiten_terms(part, channel, jumps, forms, noise)
             if index == 0:
-                sizes = [
-                    len(parts) if term.is_of_each_power_on else size
-                    for term, size in white.sizes.items()
-                ]
-                count = _assign_columns(columns, list(white.sizes), sizes, count)
+                sizes = white.sizes.items()
+                counts = {t: len(parts) if t.is_of_each_power_on else n for t, n in sizes}
+                _assign_columns(columns, counts)
             own = [
                 columns[t][[index]] if t.is_of_each_power_on else columns[t] for t in white.sizes
             ]
@@ -181,17 +178,14 @@ def build_design(
 
 def _assign_columns(
     columns: dict[Group, NDArray[np.int64]],
-    groups: Sequence[Group],
-    sizes: Sequence[int],
-    count: int,
-) -> int:
-    """Give each group that has none the next indices in `columns`; the number of columns after
-    that."""
-    for group, size in zip(groups, sizes, strict=True):
+    sizes: Mapping[CandidateTerm, int] | Mapping[Effect, int],
+) -> None:
+    """Give each group that has no indices in `columns` the next ones, as many as its size."""
+    count = sum(map(len, columns.values()))
+    for group, size in sizes.items():
         if group not in columns:
             columns[group] = np.arange(count, count + size)
             count += size
-    return count
 
 
 def _assemble(columns: Mapping[Group, NDArray[np.int64]], blocks: Sequence[Block]) -> Design:

@@ -9,6 +9,7 @@ parameter may also be wrong by far more: it is then a group of a set (Eq. 12a).
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import accumulate
 
 import numpy as np
 from numpy.typing import NDArray
@@ -78,9 +79,10 @@ class KnownParameters:
         whole, forms = self.whole, self._of_forms
         change = np.eye(len(whole.projection))
         change[np.ix_(self._of_terms, forms)] = -self._shares
-        left = (change[:, forms] * (whole.gram @ change[:, forms])).sum(axis=0)
-        left = np.where(left > SMALLEST_SHARE, left, 0.0)
-        change[:, forms] *= np.divide(1.0, np.sqrt(left), out=np.zeros_like(left), where=left > 0)
+        power = (change[:, forms] * (whole.gram @ change[:, forms])).sum(axis=0)
+        power = np.where(power > SMALLEST_SHARE, power, 0.0)
+        scale = np.divide(1.0, np.sqrt(power), out=np.zeros_like(power), where=power > 0)
+        change[:, forms] *= scale
         return change
 
     @cached_property
@@ -94,15 +96,15 @@ class KnownParameters:
         free, rows = np.concatenate([others, beyond]), np.isin(known, beyond)
         gain = self._solve(whole.gram[np.ix_(known, free)])
         own = self._solve(whole.projection[known])
-        left = (gain / self._prior_variance[:, None])[rows]
+        cross_beyond = (gain / self._prior_variance[:, None])[rows]
         cross, count = whole.gram[np.ix_(known, others)], len(others)
         gram = whole.gram[np.ix_(free, free)]
         gram[:count, :count] -= cross.T @ gain[:, :count]
-        gram[count:], gram[:count, count:] = left, left[:, :count].T
+        gram[count:], gram[:count, count:] = cross_beyond, cross_beyond[:, :count].T
         projection = whole.projection[free]
         projection[:count] -= cross.T @ own
         projection[count:] = (own / self._prior_variance)[rows]
-        scale = 1 / np.sqrt(np.concatenate([self._left_by_forms, gram.diagonal()[count:]]))
+        scale = 1 / np.sqrt(np.concatenate([self._remaining_power, gram.diagonal()[count:]]))
         places = np.full(len(whole.projection), -1)
         places[free] = np.arange(len(free))
         is_seen = ~np.isin(free, self._find_shared_effects())
@@ -160,10 +162,7 @@ class KnownParameters:
             unit = size * whole.norms[own]
             projection = projection - whole.gram[np.ix_(self._known, own)] @ unit
         values = self._solve(projection) / whole.norms[self._known]
-        return {
-            g: values[end - g.size : end] + sizes.get(g, 0.0)
-            for g, end in zip(self._groups, self._ends, strict=True)
-        }
+        return {g: values[part] + sizes.get(g, 0.0) for g, part in self._parts.items()}
 
     def compute_covariances(self, groups: Sequence[Group]) -> dict[Effect | Form, Array]:
         """(d, d) covariance of each of these beside fitted groups, SI. Known parameters among the
@@ -176,8 +175,7 @@ class KnownParameters:
         information[:count, :count] += np.diag(~is_fitted / self._prior_variance)
         scale = 1 / whole.norms[self._known]
         total = np.linalg.inv(information)[:count, :count] * np.outer(scale, scale)
-        parts = [slice(end - g.size, end) for g, end in zip(self._groups, self._ends, strict=True)]
-        return {g: total[part, part] for g, part in zip(self._groups, parts, strict=True)}
+        return {g: total[part, part] for g, part in self._parts.items()}
 
     @cached_property
     def _known(self) -> NDArray[np.int64]:
@@ -188,8 +186,10 @@ class KnownParameters:
         return self.whole.list_columns(g for g in self.whole.columns if g not in self.tolerances)
 
     @cached_property
-    def _ends(self) -> NDArray[np.int64]:
-        return np.cumsum([group.size for group in self._groups], dtype=np.int64)
+    def _parts(self) -> dict[Effect | Form, slice]:
+        """Where each of these groups stands in vectors of all of them."""
+        ends = accumulate(group.size for group in self._groups)
+        return {g: slice(end - g.size, end) for g, end in zip(self._groups, ends, strict=True)}
 
     @cached_property
     def _prior_variance(self) -> Array:
@@ -203,8 +203,8 @@ class KnownParameters:
         return cho_factor(gram + np.diag(1 / self._prior_variance))
 
     @property
-    def _left_by_forms(self) -> Array:
-        """Share of the power of each other group's columns that the forms leave: they count as
+    def _remaining_power(self) -> Array:
+        """Share of the power of each other group's columns that the forms leave: forms count as
         noise, with which columns are whitened too."""
         own = np.isin(self._known, self._of_forms)
         cross = self._apart.gram[np.ix_(self._known[own], self._others)]
@@ -234,7 +234,7 @@ class KnownParameters:
         return self._invert(terms) @ gram[np.ix_(terms, self._of_forms)]
 
     def _invert(self, columns: NDArray[np.int64]) -> Array:
-        """The inverse of the normal equations of some columns, where these are told apart."""
+        """Pseudo-inverse of the products of some columns, which may be collinear."""
         own = self.whole.gram[np.ix_(columns, columns)]
         return np.asarray(np.linalg.pinv(own, PINV_SHARE, hermitian=True))
 

@@ -14,10 +14,12 @@ from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.coordinates import (
     LAST_MOTION,
     PATTERN_HARMONICS,
+    SPECIFIC_FORCES,
     Coordinates,
     Functions,
     generate_anisotropies,
     make_harmonic,
+    name_harmonic,
 )
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.replay.loop_response import FORCES, compute_loop_force
@@ -28,7 +30,6 @@ Columns = list[tuple[CandidateTerm, Array]]
 PlacedTerm = tuple[CandidateTerm, Array, Callable[[Array], Array]]
 """A term, the (n, b) values of its basis functions, and what its place makes of these: linear."""
 
-HARMONIC = "harmonic {} of the pattern angle"
 LINEAR_HARMONICS = (2, 4)
 """Harmonics of pick-offs' linear errors: offset, and gain or axis. Derived."""
 ELECTRODE_HARMONICS = [m for m in PATTERN_HARMONICS if m not in LINEAR_HARMONICS]
@@ -38,7 +39,6 @@ PHASE_COORDINATES = ("temperature", "temperature_rate", "acceleration", "time")
 """Coordinates that an error of the demodulation's phase may follow."""
 PHASE_FUNCTION = "temperature^1"
 """The function of them that a phase error of the catalogue follows."""
-SPECIFIC_FORCES = [f"acceleration {axis}" for axis in "xyz"]
 
 
 def build_term_columns(where: Coordinates, channel: str) -> Columns:
@@ -79,9 +79,9 @@ def compute_response(
 
 
 def _make_term(
-    channel: str, coordinate: str, function: str, harmonic: int | None = None, place: str = ""
+    channel: str, coordinate: str, function: str, harmonic: int | None = None, prefix: str = ""
 ) -> CandidateTerm:
-    words = f"{place}: {function}" if place else function
+    words = f"{prefix}: {function}" if prefix else function
     return CandidateTerm(channel, coordinate, words, harmonic)
 
 
@@ -135,7 +135,7 @@ def _generate_angle_terms(where: Coordinates) -> Iterator[PlacedTerm]:
             yield _make_term(*key, "angle"), block, count_table_from_start if is_table else _show
         if function in SPECIFIC_FORCES:
             yield _make_term(*key, "angle"), block, _count_from_start
-    backlash = _make_term("gyro_angle", "table_angle", LAST_MOTION, place="angle")
+    backlash = _make_term("gyro_angle", "table_angle", LAST_MOTION, prefix="angle")
     yield backlash, where.table_direction, _show
     for coordinate, function, harmonic, block in _generate_products(where):
         yield _make_term("gyro_angle", coordinate, function, harmonic, "bias"), block, integrate
@@ -230,18 +230,15 @@ def _generate_electrode_errors(
 ) -> Iterator[tuple[int, str, str, int | None, Array]]:
     """Errors of an angle at the electrodes: harmonic of the pattern angle, and a function."""
 
-    def modulate(m: int, second: str) -> tuple[str, None, Array]:
-        return where.multiply(HARMONIC.format(m), where.harmonics[m], second)
-
     for m in ELECTRODE_HARMONICS:
-        yield m, "wave_angle", HARMONIC.format(m), m, where.harmonics[m]
+        yield m, "wave_angle", name_harmonic(m), m, where.harmonics[m]
     for m in LINEAR_HARMONICS:
-        yield m, "temperature", *modulate(m, "the temperature")
+        yield m, "temperature", *where.multiply_harmonic(m, "the temperature")
         for words in SPECIFIC_FORCES:
-            yield m, "acceleration", *modulate(m, words)
-            yield m, "acceleration", *modulate(m, f"{words} squared")
+            yield m, "acceleration", *where.multiply_harmonic(m, words)
+            yield m, "acceleration", *where.multiply_harmonic(m, f"{words} squared")
     for m in (2, 8):
-        yield m, "amplitude", *modulate(m, "the amplitude")
+        yield m, "amplitude", *where.multiply_harmonic(m, "the amplitude")
 
 
 def _generate_drive_gains(where: Coordinates, channel: str) -> Iterator[PlacedTerm]:
@@ -256,7 +253,7 @@ def _generate_drive_gains(where: Coordinates, channel: str) -> Iterator[PlacedTe
         return np.asarray(-gain * getattr(where, force)[:, None])
 
     for m in ELECTRODE_HARMONICS:
-        term = _make_term("amplitude_force", "wave_angle", HARMONIC.format(m), m, "drive gain")
+        term = _make_term("amplitude_force", "wave_angle", name_harmonic(m), m, "drive gain")
         yield term, where.harmonics[m], weaken
 
 

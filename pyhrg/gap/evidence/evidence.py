@@ -108,7 +108,7 @@ def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
     gram = design.gram[where[:, None], where]
     factor, failed = dpotrf(gram)
     diagonal = factor.diagonal()
-    limits = np.repeat([min_free_variance(group) for group in groups], sizes)
+    limits = np.repeat([get_min_free_variance(group) for group in groups], sizes)
     if failed or (diagonal**2 < limits).any():
         return None
     projection = design.projection[where]
@@ -120,7 +120,7 @@ def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
     parts = [slice(end - size, end) for end, size in zip(accumulate(sizes), sizes, strict=True)]
     sigmas, lengths = norms.tolist(), _measure_lengths(gram, unit, parts)
     for group, part, length in zip(groups, parts, lengths, strict=True):
-        log_evidence += _log_prior(design, group, length, values[part], sigmas[part])
+        log_evidence += _compute_log_prior(design, group, length, values[part], sigmas[part])
     covariance = dpotrs(factor, np.eye(len(where)))[0] * (scale[:, None] * scale)
     return Fit(
         tuple(groups),
@@ -142,13 +142,13 @@ def _measure_lengths(gram: Array, unit: Array, parts: Sequence[slice]) -> list[f
     ]
 
 
-def _log_prior(
+def _compute_log_prior(
     design: Design, group: Group, length: float, values: Array, norms: Sequence[float]
 ) -> float:
     """What the prior of a group's size adds to the log evidence, at a size of this length in sigma
     (Eqs. (4), (4a))."""
     size = len(values)
-    log_density = _prior_constant(size) - size * math.log(max(length, math.sqrt(size)))
+    log_density = _compute_prior_constant(size) - size * math.log(max(length, math.sqrt(size)))
     if not isinstance(group, Effect) or not length:
         return log_density + design.log_volumes[group]
     magnitude = math.hypot(*values)
@@ -157,20 +157,20 @@ def _log_prior(
     return log_density - math.log1p(magnitude / group.scale if group.family == "gyro" else length)
 
 
-def log_evidence(power: Array, size: int) -> Array:
+def compute_log_evidence(power: Array, size: int) -> Array:
     """Log evidence of a single group of `size` orthonormal columns over the empty set (Eq. (5)),
     for each of the (n,) decreases of chi-square by it."""
     length = np.sqrt(np.maximum(power, size))
-    return np.asarray(power / 2 + _prior_constant(size) - size * np.log(length))
+    return np.asarray(power / 2 + _compute_prior_constant(size) - size * np.log(length))
 
 
-def min_free_variance(group: Group) -> float:
+def get_min_free_variance(group: Group) -> float:
     """Share of a group's power that other groups must leave for the group to be fitted at all."""
     return TERM_MIN_VARIANCE if isinstance(group, CandidateTerm) else EFFECT_MIN_VARIANCE
 
 
 @cache
-def _prior_constant(d: int) -> float:
+def _compute_prior_constant(d: int) -> float:
     """What the prior of a size with d components adds to any log evidence (Eqs. (4), (5))."""
     log_sphere_area = math.log(2) + d / 2 * math.log(math.pi) - math.lgamma(d / 2)
     return (

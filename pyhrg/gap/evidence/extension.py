@@ -9,16 +9,16 @@ from numpy.typing import NDArray
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.design import Design
 from pyhrg.gap.effects.linear_test import Group
-from pyhrg.gap.evidence.evidence import min_free_variance
+from pyhrg.gap.evidence.evidence import get_min_free_variance
 
 
 @dataclass(frozen=True)
-class _Alike:
+class _GroupsOfSize:
     """The m groups that have d columns each.
 
     indices: (m,) of the groups.
     columns: (m, d) of the design.
-    min_variance: (m,) share of their power that a set must leave (`min_free_variance`).
+    min_variance: (m,) share of their power that a set must leave (`get_min_free_variance`).
     prior: (m,) log odds.
     """
 
@@ -63,11 +63,11 @@ class Extensions:
         by_size: dict[int, list[int]] = {}
         for i in allowed:
             by_size.setdefault(len(self._columns[i]), []).append(i)
-        self._alike = [
-            _Alike(
+        self._by_size = [
+            _GroupsOfSize(
                 np.array(own),
                 np.array([self._columns[i] for i in own]),
-                np.array([min_free_variance(groups[i]) for i in own]),
+                np.array([get_min_free_variance(groups[i]) for i in own]),
                 np.array([prior[i] for i in own]),
             )
             for own in by_size.values()
@@ -80,8 +80,8 @@ class Extensions:
         fitted = np.concatenate([np.zeros(0, dtype=np.int64), *(self._columns[i] for i in key)])
         shares = np.linalg.solve(gram[np.ix_(fitted, fitted)], gram[fitted])
         scores = np.full(len(self._columns), -np.inf)
-        for alike in self._alike:
-            scores[alike.indices] = alike.score(gram, projection, fitted, shares)
+        for same in self._by_size:
+            scores[same.indices] = same.score(gram, projection, fitted, shares)
         scores[list(key)] = -np.inf
         order = np.argsort(-scores, kind="stable")[:count]
         return [int(i) for i in order if scores[i] > -np.inf]

@@ -13,17 +13,19 @@ from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import (
     Design,
+    TestChannel,
     build_design,
     compute_model_error,
     discount_model_error,
 )
 from pyhrg.gap.effects.form import Form
+from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.known_parameters import KnownParameters
 from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.evidence.evidence import NO_GROUPS, Fit
 from pyhrg.gap.evidence.jump_search import find_jumps, find_steps
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
-from pyhrg.gap.evidence.residuals import compute_residuals, distinct_by_groups
+from pyhrg.gap.evidence.residuals import compute_residuals, select_distinct
 from pyhrg.gap.evidence.search import Ranking, is_unnamed, rank_sets
 from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.whitening.campaign_noise import CampaignNoise
@@ -102,7 +104,7 @@ class Hypothesis:
         return {
             effect: (size, covariance)
             for effect, (size, covariance) in departures.items()
-            if np.linalg.norm(size) > SIGNIFICANT_SIGMA * sigma_along(size, covariance)
+            if np.linalg.norm(size) > SIGNIFICANT_SIGMA * compute_sigma_along(size, covariance)
         }
 
     @property
@@ -158,7 +160,7 @@ def _put(nominal: Device, sizes: Mapping[Effect, Array]) -> Device:
     return device
 
 
-def sigma_along(size: Array, covariance: Array) -> float:
+def compute_sigma_along(size: Array, covariance: Array) -> float:
     """Standard deviation of a vector along its own direction."""
     along = size / (float(np.linalg.norm(size)) or 1.0)
     return math.sqrt(float(along @ covariance @ along)) or math.ulp(0.0)
@@ -168,46 +170,68 @@ def rank_under_noise(
     noise: NoiseHypothesis,
     nominal: Device,
     parts: Sequence[LinearTest],
-    linearization_error: float = 0.0,
     start: Collection[Group] = (),
     forms: FormError = NO_ERROR,
 ) -> Hypothesis:
-    """Rank sets of effects and candidate terms under one noise of the output angle.
+    """Rank sets of effects and candidate terms under one noise of the output angle, where the
+    linearization error is negligible.
 
-    The linearization error is the chi-square that the linear model may get wrong in each channel of
-    each test (Eq. (10)). Only where it is negligible, jumps and steps that stand out of the
-    residual are ranked too, and infeasible sizes are refused. The search may start from the set
-    that is the most probable under another noise.
+    Jumps and steps that stand out of the residual are ranked too, and infeasible sizes are refused.
+    The search may start from the set that is the most probable under another noise.
     """
-    nominal_noise = estimate_nominal_noise(nominal, parts)
-    model_error = compute_model_error(parts, nominal_noise)
-    for part in parts:
-        for channel, left in part.test.unexplained.items():
-            model_error[part.test.test.id, channel] += left
-    channel_noise = replace(nominal_noise, angle=noise.noise)
-    exact = build_design(parts, channel_noise, model_error, forms=tuple(forms.sigmas))
+    channel_noise, model_error = _estimate_errors(noise, nominal, parts)
     tolerances = _list_tolerances(nominal, parts)
     tolerances.update(forms.sigmas.items())
-    known = KnownParameters(exact, tolerances, forms.terms)
-    if linearization_error:
-        error = {where: linearization_error + power for where, power in model_error.items()}
-        rough = KnownParameters(discount_model_error(exact, error), tolerances)
-        return Hypothesis(noise, channel_noise, rough, rank_sets(rough.marginal), known)
     is_feasible = make_feasibility_check(nominal, parts[0].sensitivities)
-    ranking = rank_sets(known.marginal, is_feasible, start, forms.terms)
-    hypothesis = Hypothesis(noise, channel_noise, known, ranking, known, forms)
-    removed = distinct_by_groups(hypothesis.sizes, hypothesis.effect_sizes)
+
+    def rank(start: Collection[Group], jumps: Sequence[Jump] = ()) -> Hypothesis:
+        whole = build_design(parts, channel_noise, model_error, jumps, tuple(forms.sigmas))
+        known = KnownParameters(whole, tolerances, forms.terms)
+        ranking = rank_sets(known.marginal, is_feasible, start, forms.terms)
+        return Hypothesis(noise, channel_noise, known, ranking, known, forms)
+
+    hypothesis = rank(start)
+    removed = select_distinct(hypothesis.sizes, hypothesis.effect_sizes)
     residuals = [
         compute_residuals(parts, r, channel_noise, nominal, ("gyro_angle",)) for r in removed
     ]
     quantum = nominal.quantization_step
-    if jumps := {jump for r in residuals for jump in (*find_jumps(r), *find_steps(r, quantum))}:
-        ordered = sorted(jumps, key=lambda jump: jump.words)
-        exact = build_design(parts, channel_noise, model_error, ordered, tuple(forms.sigmas))
-        known = KnownParameters(exact, tolerances, forms.terms)
-        ranking = rank_sets(known.marginal, is_feasible, ranking.best.groups, forms.terms)
-        hypothesis = Hypothesis(noise, channel_noise, known, ranking, known, forms)
-    return hypothesis
+    jumps = {jump for r in residuals for jump in (*find_jumps(r), *find_steps(r, quantum))}
+    if not jumps:
+        return hypothesis
+    return rank(hypothesis.ranking.best.groups, sorted(jumps, key=lambda jump: jump.words))
+
+
+def rank_roughly(
+    noise: NoiseHypothesis,
+    nominal: Device,
+    parts: Sequence[LinearTest],
+    linearization_error: float,
+) -> Hypothesis:
+    """Rank sets under one noise of the output angle, where the linear model may get this chi-square
+    wrong in each channel of each test (Eq. (10)): it counts as noise."""
+    channel_noise, model_error = _estimate_errors(noise, nominal, parts)
+    error = {where: linearization_error + power for where, power in model_error.items()}
+    whole, tolerances = (
+        build_design(parts, channel_noise, model_error),
+        _list_tolerances(nominal, parts),
+    )
+    rough = KnownParameters(discount_model_error(whole, error), tolerances)
+    exact = KnownParameters(whole, tolerances)
+    return Hypothesis(noise, channel_noise, rough, rank_sets(rough.marginal), exact)
+
+
+def _estimate_errors(
+    noise: NoiseHypothesis, nominal: Device, parts: Sequence[LinearTest]
+) -> tuple[CampaignNoise, dict[TestChannel, float]]:
+    """Noise of all channels under a noise of the output angle; and the chi-square that the
+    simulation may get wrong in each channel of each test, with what is left unexplained there."""
+    nominal_noise = estimate_nominal_noise(nominal, parts)
+    model_error = compute_model_error(parts, nominal_noise)
+    for part in parts:
+        for channel, power in part.test.unexplained.items():
+            model_error[part.test.test.id, channel] += power
+    return replace(nominal_noise, angle=noise.noise), model_error
 
 
 def suppose_nothing(nominal: Device, parts: Sequence[LinearTest]) -> Hypothesis:
@@ -238,7 +262,7 @@ def make_feasibility_check(nominal: Device, effects: Collection[Effect]) -> Call
             excess = math.hypot(*total) - high
         else:
             excess = max(low - float(total[0]), float(total[0]) - high)
-        return excess <= 0 or excess <= NORMAL_95 * sigma_along(size, covariance)
+        return excess <= 0 or excess <= NORMAL_95 * compute_sigma_along(size, covariance)
 
     def is_feasible(fit: Fit) -> bool:
         groups = zip(fit.groups, fit.values, fit.covariances, strict=True)

@@ -15,7 +15,7 @@ from pyhrg.gap.effects.jump import (
     make_bias_jump,
     make_step,
 )
-from pyhrg.gap.evidence.evidence import HALF_UNNAMED_ODDS, log_evidence
+from pyhrg.gap.evidence.evidence import HALF_UNNAMED_ODDS, compute_log_evidence
 from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.whitening.whitening import whiten
 
@@ -52,20 +52,20 @@ def find_jumps(residuals: Sequence[Residual]) -> list[Jump]:
 
 def _find_most_probable(r: Residual) -> tuple[float, str, float]:
     """Log odds that a test has a jump, the test, and the most probable time, s."""
-    times = _moments(r.times[0], r.times[-1])
-    best = times[np.argmax(_powers(r, times))]
+    times = _place_moments(r.times[0], r.times[-1])
+    best = times[np.argmax(_compute_powers(r, times))]
     step = times[1] - times[0]
-    times = _moments(best - step, best + step)
-    powers = _powers(r, times)
-    log_odds = float(log_evidence(powers, 1).max()) - LOG_TRIALS
+    times = _place_moments(best - step, best + step)
+    powers = _compute_powers(r, times)
+    log_odds = float(compute_log_evidence(powers, 1).max()) - LOG_TRIALS
     return log_odds, r.test, float(times[np.argmax(powers)])
 
 
-def _moments(begin: float, end: float) -> Array:
+def _place_moments(begin: float, end: float) -> Array:
     return np.linspace(begin, end, MOMENTS + 2)[1:-1]
 
 
-def _powers(r: Residual, times: Array) -> Array:
+def _compute_powers(r: Residual, times: Array) -> Array:
     """(k,) decrease of chi-square by a jump at each time."""
     white = whiten(integrate_jump(r.times, times), r.steps, r.noise).series
     information = (white**2).sum(axis=0)
@@ -116,7 +116,7 @@ def _pursue_steps(r: Residual, prior: float, quantum: float) -> Iterator[tuple[f
         units = np.divide(columns, norms, out=np.zeros_like(columns), where=norms > 0)
         powers = (white @ units) ** 2
         best = int(np.argmax(powers))
-        is_probable = prior + float(log_evidence(powers, 1)[best]) > 0
+        is_probable = prior + float(compute_log_evidence(powers, 1)[best]) > 0
         if not is_probable or abs(white @ units[:, best]) <= quantum * norms[best]:
             return
         yield float(powers[best]), r.test, float(r.times[rows[best]])

@@ -16,14 +16,15 @@ from scipy.special import ndtr, softmax
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import Effect, NoiseEffect
+from pyhrg.gap.effects.design import Sizes
 from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS
 from pyhrg.gap.evidence.form_error import rank_with_forms
-from pyhrg.gap.evidence.hypothesis import Hypothesis, sigma_along
+from pyhrg.gap.evidence.hypothesis import Hypothesis, compute_sigma_along
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
 from pyhrg.gap.evidence.noise.noise_search import fit_rival_noises
-from pyhrg.gap.evidence.residuals import Removed, compute_residuals, distinct_by_groups
+from pyhrg.gap.evidence.residuals import compute_residuals, select_distinct
 from pyhrg.gap.whitening.channel_noise import build_angle_noise
 
 EVIDENT_CHI2 = 1e4
@@ -59,7 +60,7 @@ class Posterior:
         words = dict.fromkeys(word for table in tables for word in table)
         return {word: self._mean(table.get(word, 0.0) for table in tables) for word in words}
 
-    def rivals(self) -> list[Hypothesis]:
+    def list_rivals(self) -> list[Hypothesis]:
         """Hypotheses about as probable as the best one that differ from it in one name."""
         best = self.best.names
         threshold = self.probabilities[0] * math.exp(-EQUIVALENCE_LOG_ODDS)
@@ -69,9 +70,9 @@ class Posterior:
             h for h in near if best and h.names and len(best - h.names) == len(h.names - best) == 1
         ]
 
-    def equivalents(self, name: str) -> tuple[str, ...]:
+    def list_equivalents(self, name: str) -> tuple[str, ...]:
         """Names that rivals have in the place of this effect or noise of the best hypothesis."""
-        rivals = [h.names or frozenset() for h in self.rivals()]
+        rivals = [h.names or frozenset() for h in self.list_rivals()]
         best = self.best.names or frozenset()
         return tuple(other for names in rivals if name not in names for other in names - best)
 
@@ -90,7 +91,9 @@ class Posterior:
         ]
         weights = np.array([weight for weight, _, _ in estimates])
         offsets = np.array([(value - size) @ direction for _, value, _ in estimates])
-        sigmas = np.array([sigma_along(direction, covariance) for _, _, covariance in estimates])
+        sigmas = np.array(
+            [compute_sigma_along(direction, covariance) for _, _, covariance in estimates]
+        )
 
         def miss(half_width: float) -> float:
             ends = [(side * half_width - offsets) / sigmas for side in (-1.0, 1.0)]
@@ -132,10 +135,10 @@ def compare_noises(
     best, stated = first, build_angle_noise(nominal)
     by_kind, tried = {first.noise.kind: first}, set[tuple[Group, ...]]()
 
-    def fit_noises(removed: Removed) -> list[NoiseHypothesis]:
-        """The noise of this residual, the same without each of its noises, and beside a noise
-        without a name those of the catalogue. The known parameters were estimated under another
-        noise, so that the residual alone does not decide between these."""
+    def fit_noises(removed: Sizes) -> list[NoiseHypothesis]:
+        """Noises that the residual without these groups suggests (`fit_rival_noises`). The known
+        parameters were estimated under another noise, so that the residual alone does not decide
+        between these."""
         error = best.design.model_error
         residuals = compute_residuals(
             parts, removed, best.channel_noise, nominal, ("gyro_angle",), error
@@ -145,7 +148,7 @@ def compare_noises(
     while True:
         is_evident = best.ranking.best.explained >= EVIDENT_CHI2
         nothing = [] if is_evident else [best.known.estimate({})]
-        choices = distinct_by_groups(best.sizes, best.effect_sizes, *nothing)
+        choices = select_distinct(best.sizes, best.effect_sizes, *nothing)
         due = [removed for removed in choices if tuple(removed) not in tried]
         if not due:
             break

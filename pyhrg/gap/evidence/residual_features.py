@@ -16,11 +16,12 @@ from scipy.stats import rankdata
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
+from pyhrg.gap.effects.design import Sizes
 from pyhrg.gap.effects.linear_test import LinearTest
-from pyhrg.gap.evidence.evidence import HALF_UNNAMED_ODDS, log_evidence
+from pyhrg.gap.evidence.evidence import HALF_UNNAMED_ODDS, compute_log_evidence
 from pyhrg.gap.evidence.hypothesis import Hypothesis
-from pyhrg.gap.evidence.noise.noise_posterior import TOLERANCE
-from pyhrg.gap.evidence.residuals import Removed, Residual, compute_residuals
+from pyhrg.gap.evidence.noise.noise_posterior import STATED_LEVEL_SIGMA
+from pyhrg.gap.evidence.residuals import Residual, compute_residuals
 from pyhrg.gap.evidence.unexplained import find_excesses
 from pyhrg.gap.replay.observations import CHANNEL_WORDS, CHANNELS
 from pyhrg.gap.whitening.smoothing import is_coarsely_quantized, is_table_coarse
@@ -66,7 +67,7 @@ class ResidualFeature:
 
 
 def compute_checked_residuals(
-    hypothesis: Hypothesis, removed: Removed, parts: Sequence[LinearTest], nominal: Device
+    hypothesis: Hypothesis, removed: Sizes, parts: Sequence[LinearTest], nominal: Device
 ) -> list[Residual]:
     """Residuals in which features are looked for, without these groups, under the noise of a
     hypothesis.
@@ -97,7 +98,10 @@ def find_residual_features(residuals: Sequence[Residual]) -> tuple[ResidualFeatu
     residuals of all tests and channels. Those of a few rows, and those that are zero throughout,
     are left out."""
     usable = _list_usable(residuals)
-    kinds = [list(find(usable)) for find in (_lines, _stretches, _spells, _excesses)]
+    kinds = [
+        list(find(usable))
+        for find in (_find_lines, _find_stretches, _find_spells, _describe_excesses)
+    ]
     return tuple(_combine(alternatives) for alternatives in kinds if alternatives)
 
 
@@ -115,36 +119,36 @@ def _combine(alternatives: Sequence[ResidualFeature]) -> ResidualFeature:
 
 def find_period(residuals: Sequence[Residual]) -> float | None:
     """Period of the most probable line, s, where a line is more probable than not."""
-    lines = list(_lines(_list_usable(residuals)))
+    lines = list(_find_lines(_list_usable(residuals)))
     line = _combine(lines) if lines else None
     return line.period if line and line.log_odds > 0 else None
 
 
-def _lines(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
+def _find_lines(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
     """A line in each test alone, and in all tests of one row length together, of any phase in each
     or of one phase since power-on, by channel."""
     order = sorted(residuals, key=lambda r: (r.channel, r.interval))
     for (channel, interval), group in groupby(order, key=lambda r: (r.channel, r.interval)):
-        alike = list(group)
-        rows = [np.round(r.times / interval).astype(int) for r in alike]
+        members = list(group)
+        rows = [np.round(r.times / interval).astype(int) for r in members]
         spans = [int(row[-1]) + 1 for row in rows]
         size = 1 << math.ceil(math.log2(FREQUENCIES_PER_WIDTH * max(spans)))
         slowest = [math.ceil(MIN_CYCLES * size / span) for span in spans]
         spectra = np.array(
-            [_spectrum(*own, size) for own in zip(alike, rows, slowest, strict=True)]
+            [_compute_spectrum(*own, size) for own in zip(members, rows, slowest, strict=True)]
         )
         powers = np.abs(spectra) ** 2
         sets = [([k], power, 2) for k, power in enumerate(powers)]
-        if len(alike) > 1:
-            everywhere, lengths = list(range(len(alike))), np.array([len(row) for row in rows])
+        if len(members) > 1:
+            everywhere, lengths = list(range(len(members))), np.array([len(row) for row in rows])
             in_phase = np.abs(np.sqrt(lengths) @ spectra) ** 2 / lengths.sum()
-            sets.append((everywhere, powers.sum(axis=0), 2 * len(alike)))
+            sets.append((everywhere, powers.sum(axis=0), 2 * len(members)))
             sets.append((everywhere, in_phase, 2))
         for tests, power, degrees in sets:
             first = min(slowest[k] for k in tests)
-            score = log_evidence(power[first:-1], degrees)
+            score = compute_log_evidence(power[first:-1], degrees)
             period = size * interval / _find_peak(power, first + int(np.argmax(score)))
-            where = alike[tests[0]].test if len(tests) == 1 else f"{len(tests)} tests"
+            where = members[tests[0]].test if len(tests) == 1 else f"{len(tests)} tests"
             yield ResidualFeature(
                 f"periodic in {period:.4g} s in {where} ({CHANNEL_WORDS[channel]})",
                 float(logsumexp(score)) - math.log(len(score)),
@@ -158,7 +162,7 @@ def _find_peak(power: Array, index: int) -> float:
     return float(index + (before - after) / (2 * (before - 2 * peak + after)))
 
 
-def _spectrum(
+def _compute_spectrum(
     r: Residual, rows: NDArray[np.int64], slowest: int, size: int
 ) -> NDArray[np.complex128]:
     """(size / 2 + 1,) root of the decrease of chi-square by a line at each frequency, with its
@@ -174,7 +178,7 @@ def _spectrum(
     return np.asarray(lines)
 
 
-def _stretches(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
+def _find_stretches(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
     """Half of a test, a quarter, and so on, each compared with the level of the whole test."""
     for r in residuals:
         for rows in BLOCK_ROWS:
@@ -190,7 +194,7 @@ def _stretches(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
             while length >= MIN_READINGS:
                 begins = np.arange(0, count - length + 1, length // 2)
                 level = (summed[begins + length] - summed[begins]) / length
-                score = _log_evidence_of_level(level, length, information)
+                score = _compute_level_evidence(level, length, information)
                 first = r.times[begins[int(np.argmax(score))] * rows]
                 yield ResidualFeature(
                     f"noise of its own in {r.test} from {first:.0f} s ({CHANNEL_WORDS[r.channel]})",
@@ -199,7 +203,7 @@ def _stretches(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
                 length //= 2
 
 
-def _log_evidence_of_level(level: Array, readings: int, information: float) -> Array:
+def _compute_level_evidence(level: Array, readings: int, information: float) -> Array:
     """Log evidence that stretches have a level of their own, flat in its logarithm (Eq. (17)).
 
     `level` is the (n,) mean square of each stretch over that of its test, `readings` the number in
@@ -207,23 +211,23 @@ def _log_evidence_of_level(level: Array, readings: int, information: float) -> A
     tails.
     """
     log_ratio = np.log(level) / 2
-    log_ratio = np.sign(log_ratio) * np.maximum(np.abs(log_ratio) - TOLERANCE, 0.0)
+    log_ratio = np.sign(log_ratio) * np.maximum(np.abs(log_ratio) - STATED_LEVEL_SIGMA, 0.0)
     n = readings * information
     gain = n / 2 * (np.exp(2 * log_ratio) - 1 - 2 * log_ratio)
     prior = math.log(2 * math.log(MAX_LEVEL_RATIO))
     return np.asarray(gain + math.log(math.pi / n) / 2 - prior)
 
 
-def _spells(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
+def _find_spells(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
     """Noise whose level varies within all tests of a channel, by the length of its louder spells:
     squares that are near each other are then alike (Eq. (17a)). Normal scores of their ranks count,
     so that single large readings do not. The noise of a thermometer, which is white only about, is
     no such noise."""
     order = sorted(residuals, key=lambda r: r.channel)
     for channel, group in groupby(order, key=lambda r: r.channel):
-        alike = [(r, _correlate_squares(r.white)) for r in group if not r.noise.lagged]
+        members = [(r, _correlate_squares(r.white)) for r in group if not r.noise.lagged]
         for length in SPELL_ROWS:
-            own = [(r, by_lag) for r, by_lag in alike if len(r.white) >= MIN_SPELLS * length]
+            own = [(r, by_lag) for r, by_lag in members if len(r.white) >= MIN_SPELLS * length]
             if not own:
                 continue
             products = sum(float(by_lag[1:length].sum()) / (1 + r.model_error) for r, by_lag in own)
@@ -231,11 +235,11 @@ def _spells(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
             score = max(products, 0.0) / math.sqrt(pairs)
             yield ResidualFeature(
                 f"noise that comes and goes in spells of {length} rows ({CHANNEL_WORDS[channel]})",
-                float(log_evidence(np.array([score**2]), 1)[0]),
+                float(compute_log_evidence(np.array([score**2]), 1)[0]),
             )
 
 
-def _excesses(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
+def _describe_excesses(residuals: Sequence[Residual]) -> Iterator[ResidualFeature]:
     """Residuals that are more than noise."""
     for r, excess in find_excesses(residuals):
         ratio = math.sqrt(float(np.mean(r.white**2)))

@@ -10,7 +10,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.design import TestChannel
+from pyhrg.gap.effects.design import Sizes, TestChannel
 from pyhrg.gap.effects.form import Form, build_form_columns, build_reading_columns
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.linear_test import Group, LinearTest
@@ -19,9 +19,6 @@ from pyhrg.gap.replay.observations import CHANNELS, Mask
 from pyhrg.gap.whitening.campaign_noise import CampaignNoise
 from pyhrg.gap.whitening.whitening import NoiseModel, whiten
 from pyhrg.records import Log
-
-Removed = Mapping[Group, Array]
-"""Size of each group that is removed from the records."""
 
 AMPLITUDE_TOLERANCE = 0.05
 """An amplitude set point counts as nominal when it differs by less than this share. Chosen."""
@@ -62,7 +59,7 @@ class Residual:
 
 def compute_residuals(
     parts: Sequence[LinearTest],
-    removed: Removed,
+    removed: Sizes,
     noise: CampaignNoise,
     nominal: Device,
     channels: Sequence[str] = CHANNELS,
@@ -73,7 +70,7 @@ def compute_residuals(
     The output angle is used only while the amplitude is nominal: at a smaller amplitude its noise
     is larger. Other channels are compared where the pattern is as measured.
     """
-    of_output: Removed = {
+    of_output: Sizes = {
         g: v
         for g, v in removed.items()
         if isinstance(g, Effect) or (isinstance(g, Jump) and g.kind == "output")
@@ -107,15 +104,15 @@ def compute_residuals(
     return residuals
 
 
-def distinct_by_groups(*choices: Removed | Mapping[Effect, Array]) -> list[Removed]:
-    """The choices whose groups differ."""
-    by_groups: dict[tuple[Group, ...], Removed] = {}
+def select_distinct(*choices: Sizes | Mapping[Effect, Array]) -> list[Sizes]:
+    """The choices whose groups differ; of those with the same groups the last one."""
+    by_groups: dict[tuple[Group, ...], Sizes] = {}
     for removed in choices:
         by_groups[tuple(removed)] = dict[Group, Array](removed.items())
     return list(by_groups.values())
 
 
-def _subtract(part: LinearTest, removed: Removed, channel: str, index: int) -> Array:
+def _subtract(part: LinearTest, removed: Sizes, channel: str, index: int) -> Array:
     """(n,) residual of a channel in the test of this index, less the groups' responses."""
     residual = part.residual[channel].copy()
     terms = {g for g in removed if not isinstance(g, Effect)}

@@ -20,8 +20,8 @@ CERTAIN_CHI2 = 30.0
 """Excess over the number of rows, as chi-square, that steady noise does not have. Chosen."""
 QUIETEST_QUANTILE = 1e-4
 """Quantile of chi-square that the quietest of some tests exceeds. Chosen."""
-LEAST_GROWTH = 1.1
-"""Ratio by which what is left must have grown to be counted anew. Chosen."""
+MIN_GROWTH_RATIO = 1.1
+"""Ratio to the unexplained chi-square counted so far above which it is counted anew. Chosen."""
 
 
 def find_excesses(residuals: Sequence[Residual]) -> Iterator[tuple[Residual, float]]:
@@ -51,16 +51,17 @@ def measure_unexplained(residuals: Sequence[Residual]) -> dict[TestChannel, floa
 
 
 def count_unexplained(
-    tests: Sequence[ObservedTest], left: Mapping[TestChannel, float]
+    tests: Sequence[ObservedTest], powers: Mapping[TestChannel, float]
 ) -> list[ObservedTest] | None:
-    """The tests with what is left of them; None where no more is left than was known before."""
-    known = {(t.test.id, channel): w for t in tests for channel, w in t.unexplained.items()}
-    if all(value <= LEAST_GROWTH * known.get(where, 0.0) for where, value in left.items()):
+    """The tests, each with the largest unexplained chi-square of each channel so far; None where
+    these powers are nowhere larger than known before."""
+    known = {(t.test.id, channel): power for t in tests for channel, power in t.unexplained.items()}
+    if all(power <= MIN_GROWTH_RATIO * known.get(where, 0.0) for where, power in powers.items()):
         return None
-    most = {where: max(left.get(where, 0.0), known.get(where, 0.0)) for where in {**known, **left}}
+    largest = {w: max(powers.get(w, 0.0), known.get(w, 0.0)) for w in {**known, **powers}}
 
     def select(test: ObservedTest) -> dict[str, float]:
-        return {channel: w for (name, channel), w in most.items() if name == test.test.id}
+        return {c: power for (name, c), power in largest.items() if name == test.test.id}
 
     return [replace(test, unexplained=select(test)) for test in tests]
 

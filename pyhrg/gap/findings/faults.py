@@ -7,7 +7,7 @@ import numpy as np
 from pyhrg.common.units import ARCSEC
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.evidence.evidence import Fit
-from pyhrg.gap.evidence.hypothesis import sigma_along
+from pyhrg.gap.evidence.hypothesis import compute_sigma_along
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95
 from pyhrg.gap.findings.diagnosis import Cause, KnownValue
 from pyhrg.gap.findings.verdict import BEYOND_PROBABILITY
@@ -18,7 +18,11 @@ def list_ripples(best: Fit) -> list[Fault]:
     """Ripples of the table among the candidate terms of a set."""
     groups = zip(best.groups, best.values, best.covariances, strict=True)
     return [
-        Fault(g.fault, float(np.linalg.norm(size)) / ARCSEC, sigma_along(size, covariance) / ARCSEC)
+        Fault(
+            g.fault,
+            float(np.linalg.norm(size)) / ARCSEC,
+            compute_sigma_along(size, covariance) / ARCSEC,
+        )
         for g, size, covariance in groups
         if isinstance(g, CandidateTerm) and g.fault
     ]
@@ -34,7 +38,7 @@ def list_fault_causes(faults: Iterable[Fault]) -> tuple[Cause, ...]:
             name,
             max(fault.beyond_probability for fault in group),
             {fault.kind.parameter: fault.value for fault in group},
-            {fault.kind.parameter: _interval(fault) for fault in group},
+            {fault.kind.parameter: _compute_interval(fault) for fault in group},
             family=group[0].kind.family,
         )
         for name, group in groups.items()
@@ -50,7 +54,7 @@ def list_tolerated_faults(faults: Sequence[Fault]) -> tuple[KnownValue, ...]:
             fault.kind.parameter,
             fault.value,
             fault.kind.sound,
-            _interval(fault),
+            _compute_interval(fault),
             fault.kind.tolerance,
             {fault.kind.parameter: fault.value},
         )
@@ -63,6 +67,6 @@ def _is_beyond(fault: Fault) -> bool:
     return fault.beyond_probability > BEYOND_PROBABILITY
 
 
-def _interval(fault: Fault) -> tuple[float, float]:
+def _compute_interval(fault: Fault) -> tuple[float, float]:
     half_width = NORMAL_95 * fault.sigma
     return fault.value - half_width, fault.value + half_width

@@ -4,8 +4,10 @@ The method is matching pursuit over candidate terms (docs/methods/verdict.md, Eq
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +17,7 @@ from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.design import Block, Design
 from pyhrg.gap.effects.linear_test import LinearTest
 
+Key = TypeVar("Key", bound=Hashable)
 Columns = Mapping[CandidateTerm, NDArray[np.int64]]
 """Columns of each term within a block."""
 
@@ -46,6 +49,14 @@ class Place:
     share: float
     sigmas: float
     harmonic: int | None = None
+
+
+def sum_shares(places: Sequence[Place], key: Callable[[Place], Key]) -> dict[Key, float]:
+    """Shares of the gap by a key of its places; 0 for others."""
+    shares: dict[Key, float] = defaultdict(float)
+    for place in places:
+        shares[key(place)] += place.share
+    return shares
 
 
 def locate_gap(
@@ -96,7 +107,7 @@ def _pursue_shared(
     """Test, coordinate, harmonic and power of terms with the same size in all tests; and the blocks
     with these terms removed."""
     parts = []
-    threshold = max(MIN_POWER, UNPLACED_SHARE * sum(_excess(block) for block in blocks))
+    threshold = max(MIN_POWER, UNPLACED_SHARE * sum(_compute_excess(block) for block in blocks))
     candidates = dict(columns)
     while (choice := _choose_term(blocks, candidates, threshold)) is not None:
         best, power, sizes = choice
@@ -105,7 +116,10 @@ def _pursue_shared(
             replace(block, gram=_subtract(block.gram, where, size))
             for block, size in zip(blocks, sizes, strict=True)
         ]
-        gains = [max(_excess(b) - _excess(a), 0.0) for b, a in zip(blocks, after, strict=True)]
+        gains = [
+            max(_compute_excess(b) - _compute_excess(a), 0.0)
+            for b, a in zip(blocks, after, strict=True)
+        ]
         for block, gain in zip(blocks, gains, strict=True):
             if gain > 0:
                 share = gain / sum(gains)
@@ -137,14 +151,14 @@ def _choose_term(
     return None
 
 
-def _excess(block: Block) -> float:
+def _compute_excess(block: Block) -> float:
     """Power of a residual beyond that of its noise."""
     return float(block.gram[-1, -1]) - block.rows
 
 
 def _pursue(block: Block, columns: Columns) -> list[tuple[str, int | None, float]]:
     """Coordinate, harmonic and power of terms in one test."""
-    excess = _excess(block)
+    excess = _compute_excess(block)
     if excess < MIN_EXCESS_SIGMA * np.sqrt(2 * block.rows):
         return []
     candidates = dict(columns)

@@ -11,9 +11,10 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_H
 from pyhrg.gap.effects.catalogue import Effect
+from pyhrg.gap.effects.design import Sizes
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
-from pyhrg.gap.evidence.residuals import Removed, compute_residuals
+from pyhrg.gap.evidence.residuals import compute_residuals
 from pyhrg.gap.findings.diagnosis import Gap, Worth
 from pyhrg.gap.replay.observations import CHANNELS
 
@@ -30,7 +31,7 @@ def measure_leftover(attribution: Attribution, gap: Gap) -> Worth:
     """What candidate terms explain, an unnamed noise makes, and closing leaves beyond the noise
     floor."""
     best = attribution.posterior.best
-    effects: Removed = dict(best.effect_sizes.items())
+    effects: Sizes = dict(best.effect_sizes.items())
     terms = _measure(attribution, effects, best.sizes)
     excess = [
         math.sqrt(max(figure.after**2 - figure.floor_95[1] ** 2, 0.0))
@@ -50,7 +51,7 @@ def measure_effect(attribution: Attribution, effect: Effect, size: Array) -> Wor
     return _measure(attribution, {}, {effect: size})
 
 
-def _measure(attribution: Attribution, before: Removed, after: Removed) -> Worth:
+def _measure(attribution: Attribution, before: Sizes, after: Sizes) -> Worth:
     """What the groups make that are removed in `after`, and not in `before`."""
     by_channel = _compute_responses(attribution, before, after)
     nominal = attribution.nominal
@@ -67,9 +68,9 @@ def _measure(attribution: Attribution, before: Removed, after: Removed) -> Worth
         if len(time) > 1 and time[-1] - time[0] >= MIN_RATE_TIME
     ]
     return Worth(
-        _largest_rms(angles) / ARCSEC,
+        _find_largest_rms(angles) / ARCSEC,
         max(rates, default=0.0) / DEG_PER_H,
-        max(_largest_rms(by_channel[name]) / scale for name, scale in scales.items()),
+        max(_find_largest_rms(by_channel[name]) / scale for name, scale in scales.items()),
     )
 
 
@@ -85,7 +86,7 @@ def measure_unnamed_noise(noise: NoiseHypothesis) -> tuple[float, float]:
 
 
 def _compute_responses(
-    attribution: Attribution, before: Removed, after: Removed
+    attribution: Attribution, before: Sizes, after: Sizes
 ) -> Mapping[str, list[tuple[Array, Array]]]:
     """Times and response of what is removed between two residuals, by channel, for each test."""
     noise, nominal = attribution.channel_noise, attribution.nominal
@@ -98,6 +99,6 @@ def _compute_responses(
     return responses
 
 
-def _largest_rms(tests: list[tuple[Array, Array]]) -> float:
+def _find_largest_rms(tests: list[tuple[Array, Array]]) -> float:
     """Rms in the test where it is largest: tests that do not excite a cause make it no smaller."""
     return max((float(np.sqrt(np.mean(v**2))) for _, v in tests if len(v)), default=0.0)

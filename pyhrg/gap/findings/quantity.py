@@ -44,13 +44,15 @@ def measure_sizes(
     sizes = []
     for part, first, last in zip(parts, before, after, strict=True):
         for channel in CHANNELS:
-            ends = [list(_excesses(part, channel, r[channel], noise)) for r in (first, last)]
+            ends = [
+                list(_measure_excesses(part, channel, r[channel], noise)) for r in (first, last)
+            ]
             for (scale, old), (_, new) in zip(*ends, strict=True):
                 sizes.append(Size(part.test.test.id, channel, scale, old, new))
     return tuple(sizes)
 
 
-def _excesses(
+def _measure_excesses(
     part: LinearTest, channel: str, residual: Array, noise: CampaignNoise
 ) -> Iterator[tuple[float, float]]:
     """Each time scale, s, with the root of the excess power at it."""

@@ -16,7 +16,7 @@ from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.equivalence.hidden_effects import find_hidden_effects
 from pyhrg.gap.evidence.equivalence.known_equivalents import find_known_equivalents
 from pyhrg.gap.evidence.evidence import find_equivalents
-from pyhrg.gap.evidence.hypothesis import sigma_along
+from pyhrg.gap.evidence.hypothesis import compute_sigma_along
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise
 from pyhrg.gap.evidence.residual_features import (
     ResidualFeature,
@@ -58,9 +58,9 @@ def reach_verdict(
     counts for the verdict only if it is material. Features are what the residuals may show besides
     steady noise. Held-out tests may contradict the causes."""
     causes = [
-        *_effect_causes(attribution, effects),
+        *_find_effect_causes(attribution, effects),
         *_find_known_causes(attribution, effects),
-        *(_noise_cause(attribution, added) for added in attribution.noise.added),
+        *(_make_noise_cause(attribution, added) for added in attribution.noise.added),
         *faults,
     ]
     absent = [1 - attribution.posterior.unknown_probability, *(1 - f.probability for f in features)]
@@ -86,7 +86,7 @@ def _list_imitators(*names: str) -> tuple[str, ...]:
     return tuple(other for name in names if name in EFFECTS for other in EFFECTS[name].imitators)
 
 
-def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[Cause]:
+def _find_effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[Cause]:
     causes = []
     best, posterior, nominal = attribution.ranking.best, attribution.posterior, attribution.nominal
     known = posterior.best.exact
@@ -96,7 +96,7 @@ def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[
             continue
         total = effect.vector(nominal) + size
         others = [e.name for e in find_equivalents(attribution.design, best, effect, effects)]
-        others += posterior.equivalents(effect.name)
+        others += posterior.list_equivalents(effect.name)
         others += find_known_equivalents(known, best, nominal, effect, known.effects)
         others += [h.effect.name for h in hidden if effect in h.shifted]
         others += attribution.ranking.list_replacements(effect)
@@ -107,7 +107,7 @@ def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[
                 effect.name,
                 posterior.probability(effect.name, *others),
                 effect.parameters(total),
-                _intervals(effect, total, partial(posterior.compute_sigma, effect, size)),
+                compute_intervals(effect, total, partial(posterior.compute_sigma, effect, size)),
                 (*others, *(name for name in imitators if name not in others)),
                 worth=measure_effect(attribution, effect, size),
             )
@@ -124,7 +124,9 @@ def _find_known_causes(attribution: Attribution, effects: Sequence[Effect]) -> l
         total = effect.vector(nominal) + size
         probability = _compute_beyond(effect.tolerance_of(nominal), size, covariance)
         if probability > BEYOND_PROBABILITY:
-            intervals = _intervals(effect, total, partial(sigma_along, covariance=covariance))
+            intervals = compute_intervals(
+                effect, total, partial(compute_sigma_along, covariance=covariance)
+            )
             values, candidates = effect.parameters(total), (*effects, *known.effects)
             others = find_known_equivalents(known, fitted, nominal, effect, candidates)
             others = (*others, *_list_imitators(effect.name, *others))
@@ -143,9 +145,10 @@ def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
     for effect, (size, covariance) in attribution.posterior.best.departures.items():
         tolerance = effect.tolerance_of(nominal)
         if _compute_beyond(tolerance, size, covariance) <= BEYOND_PROBABILITY:
-            stated = effect.vector(nominal)
+            stated, key = effect.vector(nominal), effect.keys[0]
             total = stated + size
-            key, parameters = effect.keys[0], effect.parameters(total)
+            parameters = effect.parameters(total)
+            sigma = partial(compute_sigma_along, covariance=covariance)
             values.append(
                 KnownValue(
                     effect.name,
@@ -153,9 +156,7 @@ def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
                     key.name,
                     parameters[key.name],
                     effect.parameters(stated)[key.name],
-                    _intervals(effect, total, partial(sigma_along, covariance=covariance))[
-                        key.name
-                    ],
+                    compute_intervals(effect, total, sigma)[key.name],
                     tolerance / key.factor,
                     parameters,
                 )
@@ -166,10 +167,10 @@ def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
 def _compute_beyond(tolerance: float, size: Array, covariance: Array) -> float:
     """Probability that the length of a departure exceeds the tolerance; normal along it."""
     length = float(np.linalg.norm(size))
-    return compute_beyond_probability(length - tolerance, sigma_along(size, covariance))
+    return compute_beyond_probability(length - tolerance, compute_sigma_along(size, covariance))
 
 
-def _intervals(
+def compute_intervals(
     effect: Effect, vector: Array, sigma: Callable[[Array], float]
 ) -> dict[str, tuple[float, float]]:
     """95 % interval of each parameter alone (Eq. (3)), from the standard deviation along a unit
@@ -177,7 +178,7 @@ def _intervals(
     if not effect.periods:
         (key,) = effect.keys
         half_width = NORMAL_95 * sigma(np.ones(1))
-        return {key.name: _in_units(key, float(vector[0]), half_width)}
+        return {key.name: _convert_interval(key, float(vector[0]), half_width)}
     magnitude, angle = effect.keys
     length = float(np.hypot(*vector))
     along = vector / length if length else np.array([1.0, 0.0])
@@ -186,18 +187,18 @@ def _intervals(
     half_widths = [NORMAL_95 * sigma(direction) for direction in (along, across)]
     turn = min(half_widths[1] / (length * effect.periods), half_turn) if length else half_turn
     axis = angle.to_si(effect.parameters(vector)[angle.name])
-    low, high = _in_units(magnitude, length, half_widths[0])
-    return {magnitude.name: (max(low, 0.0), high), angle.name: _in_units(angle, axis, turn)}
+    low, high = _convert_interval(magnitude, length, half_widths[0])
+    return {magnitude.name: (max(low, 0.0), high), angle.name: _convert_interval(angle, axis, turn)}
 
 
-def _in_units(key: Key, value: float, half_width: float) -> tuple[float, float]:
+def _convert_interval(key: Key, value: float, half_width: float) -> tuple[float, float]:
     return key.from_si(value - half_width), key.from_si(value + half_width)
 
 
-def _noise_cause(attribution: Attribution, added: AddedNoise) -> Cause:
+def _make_noise_cause(attribution: Attribution, added: AddedNoise) -> Cause:
     name, key = added.effect.name, added.effect.key
     low, high = (key.from_si(end) for end in added.interval)
-    others = dict.fromkeys([*added.equivalents, *attribution.posterior.equivalents(name)])
+    others = dict.fromkeys([*added.equivalents, *attribution.posterior.list_equivalents(name)])
     return Cause(
         name,
         attribution.posterior.probability(name, *others),

@@ -30,8 +30,8 @@ def list_candidates(bench: Bench, start_angle: float) -> Mapping[str, list[Power
     is that of the tests made so far."""
     programmes = {
         "static": [bench.programme(LONG_ROWS).rest(60 * MINUTE)],
-        "positions": _positions(bench),
-        "rate": _rates(bench),
+        "positions": _plan_positions(bench),
+        "rate": _plan_rates(bench),
         "ring_down": [
             bench.programme(ROWS).rest(INITIAL_REST).command(drive_on=0.0).rest(400),
         ],
@@ -39,10 +39,10 @@ def list_candidates(bench: Bench, start_angle: float) -> Mapping[str, list[Power
             bench.programme(ROWS).rest(INITIAL_REST).command(virtual_rotation=sign * DEG).rest(480)
             for sign in (1, -1)
         ],
-        "thermal": _thermal(bench),
-        "amplitude": _amplitudes(bench),
-        "phase_step": _phase_steps(bench),
-        "tumble": _tumble(bench),
+        "thermal": _plan_thermal(bench),
+        "amplitude": _plan_amplitudes(bench),
+        "phase_step": _plan_phase_steps(bench),
+        "tumble": _plan_tumble(bench),
     }
     return {
         kind: [
@@ -53,14 +53,14 @@ def list_candidates(bench: Bench, start_angle: float) -> Mapping[str, list[Power
     }
 
 
-def _positions(bench: Bench) -> list[Programme]:
+def _plan_positions(bench: Bench) -> list[Programme]:
     course = bench.programme(ROWS).rest(5 * MINUTE)
     for _ in range(7):
         course.turn(POSITION_STEP / bench.device.bryan_factor, 5 * DEG).rest(5 * MINUTE)
     return [course]
 
 
-def _rates(bench: Bench) -> list[Programme]:
+def _plan_rates(bench: Bench) -> list[Programme]:
     """At least a full turn of the pattern at each rate."""
     rates = [sign * rate for rate in (5 * DEG, 100 * DEG) for sign in (1, -1)]
     lasting = {5 * DEG: 130.0, 100 * DEG: 40.0}
@@ -70,14 +70,14 @@ def _rates(bench: Bench) -> list[Programme]:
     ]
 
 
-def _thermal(bench: Bench) -> list[Programme]:
+def _plan_thermal(bench: Bench) -> list[Programme]:
     begin = bench.device.reference_temperature
     course = bench.programme(LONG_ROWS).rest(10 * MINUTE)
     course.heat(begin + WARM, 30 * MINUTE).heat(begin + WARM, 30 * MINUTE)
     return [course.heat(begin + COLD, 60 * MINUTE).heat(begin + COLD, 30 * MINUTE)]
 
 
-def _amplitudes(bench: Bench) -> list[Programme]:
+def _plan_amplitudes(bench: Bench) -> list[Programme]:
     """A full turn of the pattern at each amplitude."""
     course = bench.programme(FAST_ROWS)
     for share in (0.8, 1.0, 1.2):
@@ -85,14 +85,14 @@ def _amplitudes(bench: Bench) -> list[Programme]:
     return [course]
 
 
-def _phase_steps(bench: Bench) -> list[Programme]:
+def _plan_phase_steps(bench: Bench) -> list[Programme]:
     course = bench.programme(ROWS)
     for phase in (0.0, PHASE_STEP, 0.0, -PHASE_STEP):
         course.command(phase_offset=phase).rest(400)
     return [course]
 
 
-def _tumble(bench: Bench) -> list[Programme]:
+def _plan_tumble(bench: Bench) -> list[Programme]:
     course = bench.programme(ROWS)
     for up, across in ((1.0, 0.0), (-1.0, 0.0), *((0.0, 90 * DEG * n) for n in range(4))):
         course.attitude(up, across).rest(400)

@@ -79,7 +79,9 @@ def suggest_next_test(
     if not pairs:
         return None
     order = order_kinds(kinds, pairs)
-    return NextTest(order[0].kind, _why(order, pairs, hypotheses), _hours(order[0], pairs))
+    return NextTest(
+        order[0].kind, _explain_choice(order, pairs, hypotheses), _compute_hours(order[0], pairs)
+    )
 
 
 def order_kinds(kinds: Sequence[Separation], pairs: Sequence[Pair]) -> list[Separation]:
@@ -92,19 +94,24 @@ def order_kinds(kinds: Sequence[Separation], pairs: Sequence[Pair]) -> list[Sepa
     def rank(kind: Separation) -> tuple[int, int, float, float]:
         separated = kind.list_separated(pairs)
         from_best = sum(0 in pair for pair in separated)
-        return -from_best, -len(separated), _hours(kind, pairs), _log_error_bound(kind, pairs)
+        return (
+            -from_best,
+            -len(separated),
+            _compute_hours(kind, pairs),
+            _compute_log_error_bound(kind, pairs),
+        )
 
     return sorted(kinds, key=rank)
 
 
-def _hours(kind: Separation, pairs: Sequence[Pair]) -> float:
+def _compute_hours(kind: Separation, pairs: Sequence[Pair]) -> float:
     """Hours after which a kind of test has separated all pairs that it separates at all (Eq. (3));
     infinite where it separates none."""
     sigmas = [kind.sigmas[pair] for pair in kind.list_separated(pairs)]
     return math.ceil(10 * (SEPARATION_SIGMA / min(sigmas)) ** 2) / 10 if sigmas else math.inf
 
 
-def _log_error_bound(kind: Separation, pairs: Sequence[Pair]) -> float:
+def _compute_log_error_bound(kind: Separation, pairs: Sequence[Pair]) -> float:
     """Logarithm of Bhattacharyya's bound on the probability of a wrong choice after an hour,
     hypotheses equally probable before (A. Bhattacharyya, Bull. Calcutta Math. Soc. 35 (1943))."""
     return float(logsumexp([-(kind.sigmas[pair] ** 2) / 8 for pair in pairs]))
@@ -142,13 +149,13 @@ def compute_separations(
                 _scale_sizes(own, groups, unit),
                 np.array([g in own and g != h.held for g in groups for _ in unit.columns[g]], bool),
                 h.noise.angle,
-                _information(h.design, groups, unit),
-                _information(design, groups, unit) * share,
+                _compute_information(h.design, groups, unit),
+                _compute_information(design, groups, unit) * share,
             )
             for own, h, design in zip(sizes, hypotheses, designs, strict=True)
         ]
         sigmas = {
-            (i, j): _separation(a, b, share * _noise_divergences(a, b, programmes))
+            (i, j): _compute_separation(a, b, share * _compute_noise_divergences(a, b, programmes))
             for (i, a), (j, b) in combinations(enumerate(sides), 2)
         }
         separations.append(Separation(kind, sigmas))
@@ -181,7 +188,7 @@ def _linearize(
     return LinearTest(test, device, answers, response, columns, where, slopes)
 
 
-def _information(tests: Design, groups: Sequence[Group], unit: Design) -> Array:
+def _compute_information(tests: Design, groups: Sequence[Group], unit: Design) -> Array:
     """(p, p) Fisher information on the groups in some tests, in units of another design."""
     where = tests.list_columns(groups)
     norms = tests.norms[where] / unit.norms[unit.list_columns(groups)]
@@ -206,22 +213,24 @@ class _Side:
     new: Array
 
 
-def _separation(side: _Side, other: _Side, divergences: Array) -> float:
+def _compute_separation(side: _Side, other: _Side, divergences: Array) -> float:
     """Separation by the new tests beyond that by the old ones, in sigma: the smaller one of the two
     ways round (Eqs. (1), (2)). (2,) divergences of the noises in the new tests, each way round, are
     added."""
 
     def power(truth: _Side, rival: _Side, divergence: float) -> float:
         difference = truth.sizes - rival.sizes
-        with_new = _unimitated_power(rival.old + rival.new, difference, rival.free)
-        return with_new - _unimitated_power(rival.old, difference, rival.free) + 2 * divergence
+        with_new = _compute_unimitated_power(rival.old + rival.new, difference, rival.free)
+        return (
+            with_new - _compute_unimitated_power(rival.old, difference, rival.free) + 2 * divergence
+        )
 
     forward, backward = divergences
     smaller = min(power(side, other, forward), power(other, side, backward))
     return math.sqrt(max(smaller, 0.0))
 
 
-def _noise_divergences(side: _Side, other: _Side, programmes: Sequence[Programme]) -> Array:
+def _compute_noise_divergences(side: _Side, other: _Side, programmes: Sequence[Programme]) -> Array:
     """(2,) divergence of the two noises over some power-ons, each way round."""
     pairs = [(side.noise, other.noise), (other.noise, side.noise)]
     return np.array(
@@ -235,28 +244,32 @@ def _scale_sizes(known: Sizes, groups: Sequence[Group], unit: Design) -> Array:
     return np.concatenate([np.empty(0), *sizes]) * unit.norms[unit.list_columns(groups)]
 
 
-def _unimitated_power(information: Array, difference: Array, free: NDArray[np.bool_]) -> float:
+def _compute_unimitated_power(
+    information: Array, difference: Array, free: NDArray[np.bool_]
+) -> float:
     """Power of a difference of sizes that no change of the free sizes makes up for (Eq. (1))."""
     projection = information @ difference
     inverse = np.linalg.pinv(information[np.ix_(free, free)], hermitian=True)
     return float(difference @ projection - projection[free] @ inverse @ projection[free])
 
 
-def _why(order: Sequence[Separation], pairs: Sequence[Pair], hypotheses: Sequence[Rival]) -> str:
+def _explain_choice(
+    order: Sequence[Separation], pairs: Sequence[Pair], hypotheses: Sequence[Rival]
+) -> str:
     """The pairs that the best kind separates least, and what the second best does for them."""
     best, second = order[:2]
     hardest = sorted(best.list_separated(pairs), key=lambda pair: best.sigmas[pair])[
         :MENTIONED_PAIRS
     ]
     separations = [
-        f"{_words(hypotheses[i], hypotheses[j])} by {best.sigmas[i, j]:.2g} sigma "
+        f"{_describe_pair(hypotheses[i], hypotheses[j])} by {best.sigmas[i, j]:.2g} sigma "
         f"({second.kind.replace('_', ' ')} by {second.sigmas[i, j]:.2g})"
         for i, j in hardest
     ]
     return f"one hour of it separates {'; '.join(separations)}"
 
 
-def _words(hypothesis: Rival, other: Rival) -> str:
+def _describe_pair(hypothesis: Rival, other: Rival) -> str:
     first, second = (
         " with ".join(words for words in mine.words if words not in yours.words)
         for mine, yours in ((hypothesis, other), (other, hypothesis))

@@ -24,13 +24,13 @@ def compute_divergence(
     n = round(duration / interval)
     angular = np.pi * (2 * np.arange(n) + 1) / (2 * n + 1)
     true_spectrum, rival_spectrum = (
-        increment_spectrum(noise, interval, angular) for noise in (truth, rival)
+        compute_increment_spectrum(noise, interval, angular) for noise in (truth, rival)
     )
     ratio = true_spectrum / rival_spectrum
     return float((ratio - 1 - np.log(ratio)).sum()) / 2
 
 
-def increment_spectrum(noise: NoiseModel, interval: float, angular: Array) -> Array:
+def compute_increment_spectrum(noise: NoiseModel, interval: float, angular: Array) -> Array:
     """(n,) power spectral density of the angle's increments between consecutive readings at (n,)
     angular frequencies, rad per reading (Eq. 5). The interval between readings is in s. The mean of
     the density over all frequencies is the variance of an increment."""

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 from pyhrg.device.declarations import format_effect
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.design import Design, list_forms
+from pyhrg.gap.effects.design import Design, list_rival_terms
 from pyhrg.gap.effects.linear_test import Group
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.equivalence.hidden_effects import find_hidden_effects
@@ -53,7 +53,7 @@ def find_rivals(attribution: Attribution, effects: Sequence[Effect]) -> list[Riv
     near = ranking.list_near()
     for group in best.groups:
         candidates: Sequence[Group] = (
-            effects if isinstance(group, Effect) else list_forms(attribution.design, group)
+            effects if isinstance(group, Effect) else list_rival_terms(attribution.design, group)
         )
         near += find_equivalents(attribution.design, best, group, candidates).values()
     own = set(best.groups)
@@ -64,7 +64,7 @@ def find_rivals(attribution: Attribution, effects: Sequence[Effect]) -> list[Riv
     }
     hypothesis = attribution.posterior.best
     hidden = find_hidden_effects(attribution.design, best, effects)
-    swapped = [h for h in attribution.posterior.rivals() if set(h.ranking.best.groups) != own]
+    swapped = [h for h in attribution.posterior.list_rivals() if set(h.ranking.best.groups) != own]
     return [
         make_rival(hypothesis, best),
         *[make_rival(h, h.ranking.best) for h in swapped],

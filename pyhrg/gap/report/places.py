@@ -2,19 +2,15 @@
 standard deviations of the noise."""
 
 import html
-from collections import defaultdict
-from collections.abc import Callable, Hashable, Sequence
-from typing import TypeVar
+from collections.abc import Sequence
 
 from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.common.pages.svg import format_number
 from pyhrg.gap.diagnose import CampaignDiagnosis
-from pyhrg.gap.findings.localisation import Place
+from pyhrg.gap.findings.localisation import Place, sum_shares
 from pyhrg.gap.findings.quantity import Size
 from pyhrg.gap.replay.observations import CHANNEL_WORDS
 from pyhrg.gap.report.words import COORDINATES, build_table, format_percent, show_share
-
-Key = TypeVar("Key", bound=Hashable)
 
 LISTED_BARS = 14
 """Bars that are shown; the others are summed up in one row."""
@@ -39,7 +35,7 @@ def _build_map(where: Sequence[Place], tests: Sequence[str]) -> str:
             w.share for w in where if test in (None, w.test) and channel in (None, w.channel)
         )
 
-    header = ("Test", *(CHANNEL_WORDS[c].capitalize() for c in CHANNEL_WORDS), "All channels")
+    header = ("Test", *(words.capitalize() for words in CHANNEL_WORDS.values()), "All channels")
     rows = [
         (
             html.escape(test),
@@ -79,14 +75,6 @@ def _build_bars(where: Sequence[Place]) -> str:
         rows.append((count, *show_share(others)))
     title = "The same power by coordinate, with harmonics of angles that move by a period of them"
     return build_table(title, ("Channel and coordinate", "Share", ""), rows)
-
-
-def sum_shares(where: Sequence[Place], key: Callable[[Place], Key]) -> dict[Key, float]:
-    """Shares of the gap by a key of the places; 0 for others."""
-    shares: dict[Key, float] = defaultdict(float)
-    for place in where:
-        shares[key(place)] += place.share
-    return shares
 
 
 def _format_place(channel: str, coordinate: str, harmonic: int | None) -> str:

@@ -10,11 +10,11 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import make_choice, make_paragraph
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95
+from pyhrg.gap.findings.localisation import sum_shares
 from pyhrg.gap.report.closing import NOT_VERIFIED
 from pyhrg.gap.report.figures.panels import ALL, Panel, compute_panels, draw_panel, find_extremes
 from pyhrg.gap.report.figures.strips import Band, Labels, Size, Strip, draw_strips
 from pyhrg.gap.report.figures.views import ANGLE, AXES, VIEWS, View, draw_view_noise
-from pyhrg.gap.report.places import sum_shares
 from pyhrg.records import Log
 
 POINTS = 400
@@ -42,11 +42,11 @@ def draw_largest(result: CampaignDiagnosis) -> str:
     shares = sum_shares(result.diagnosis.where, lambda place: (place.test, place.channel))
     last = (result.tests[-1].test.id, ANGLE.channel)
     name, channel = max(shares, key=lambda key: shares[key], default=last)
-    i = next((i for i, test in enumerate(result.tests) if test.test.id == name), -1)
+    i = [test.test.id for test in result.tests].index(name)
     view = next(view for view in VIEWS if view.channel == channel)
     if not np.isfinite(result.before[i][channel]).any():
         return ""
-    return f'<div class="panels one">{_draw_test(result, i % len(result.tests), view)}</div>'
+    return f'<div class="panels one">{_draw_test(result, i, view)}</div>'
 
 
 def _draw_test(result: CampaignDiagnosis, i: int, view: View = ANGLE) -> str:

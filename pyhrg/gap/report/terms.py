@@ -199,8 +199,8 @@ NEAREST = {
 
 def find_nearest(term: Term) -> tuple[Mechanism, ...]:
     """Nearest known mechanisms of a term, the nearest first; none where the catalogue has none."""
-    part = term.function.rpartition(": ")[0]
-    keys = ((where, c) for where in (part, term.place) for c in term.coordinates)
+    prefix = as_candidate(term).prefix
+    keys = ((where, c) for where in (prefix, term.place) for c in term.coordinates)
     return next((NEAREST[key] for key in keys if key in NEAREST), ())
 
 
@@ -245,8 +245,8 @@ def describe_term(term: Term) -> str:
 
 def name_term(term: Term) -> str:
     """Place and function of a term."""
-    part, _, function = term.function.rpartition(": ")
-    return f"{PARTS.get(part, PLACES[term.place])}: {function}"
+    candidate = as_candidate(term)
+    return f"{PARTS.get(candidate.prefix, PLACES[term.place])}: {candidate.bare_function}"
 
 
 def _format_value(term: Term, coefficient: Coefficient) -> str:

@@ -7,11 +7,11 @@ from pyhrg.common.pages.svg import format_interval, format_number
 from pyhrg.device.declarations import format_effect
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, GapFigure, KnownValue, Worth
+from pyhrg.gap.findings.localisation import sum_shares
 from pyhrg.gap.findings.verdict import UNEXPLAINED_PROBABILITY
 from pyhrg.gap.replay.observations import CHANNEL_WORDS
 from pyhrg.gap.report.closing import describe_closing
 from pyhrg.gap.report.next_steps import suggest_next_steps
-from pyhrg.gap.report.places import sum_shares
 from pyhrg.gap.report.terms import (
     describe_class,
     describe_term,
@@ -48,12 +48,14 @@ def write_headline(diagnosis: Diagnosis) -> str:
     names, is_single = join_words([format_effect(c.effect) for c in causes]), len(causes) == 1
     too = _mention_immaterial(diagnosis, [c for c in diagnosis.causes if c not in causes])
     if diagnosis.verdict == "no_gap":
-        within = "within the noise"
         if diagnosis.within_tolerance or diagnosis.left.angle_arcsec:
             return (
                 f"No gap: the records agree with the simulation within tolerances and noise{too}."
             )
-        return f"No gap: the records agree with the simulation of the nominal gyro {within}{too}."
+        return (
+            "No gap: the records agree with the simulation of the nominal gyro within the noise"
+            f"{too}."
+        )
     if diagnosis.verdict == "explained":
         place = _list_families(causes)
         are = " is" if is_single else "s are"

@@ -56,7 +56,7 @@ PLACES = {
 }
 """Place of a proposed term."""
 PARTS = {"phase": "Electronics, phase", "drive gain": "Drive, gain"}
-"""Part of the place at which a term acts, by the words before its function."""
+"""Part of the place at which a term acts, by the term's prefix."""
 TERM_UNITS = {
     "deg_h": "deg/h",
     "K2": "K²",
@@ -127,19 +127,16 @@ def format_percent(share: float) -> str:
     return f"{100 * share:.1f}\u00a0%"
 
 
-def draw_bar(share: float) -> str:
-    """A share as an SVG bar; hidden from screen readers, because the number stands beside it."""
+def show_share(share: float) -> tuple[str, str]:
+    """A share as two cells of a table: a number and an SVG bar, which is hidden from screen readers
+    because the number stands beside it."""
     length = max(0.0, min(1.0, share)) * 160
-    return (
+    bar = (
         '<svg class="share" viewBox="0 0 160 12" width="160" aria-hidden="true">'
         '<rect class="whole" width="160" height="12"/>'
         f'<rect width="{length:.1f}" height="12"/></svg>'
     )
-
-
-def show_share(share: float) -> tuple[str, str]:
-    """A share as two cells of a table: a number and a bar."""
-    return format_percent(share), draw_bar(share)
+    return format_percent(share), bar
 
 
 def build_table(title: str, header: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> str:

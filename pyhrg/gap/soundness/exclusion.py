@@ -27,33 +27,33 @@ class Exclusion:
 class NominalEstimate:
     """Estimate of a nominal value from one field of a log, with the range that effects can explain.
 
-    key: key in the campaign's table `nominal`; nominal, found, low and high are in its unit.
+    key: key in the campaign's table `nominal`; nominal, value, low and high are in its unit.
     """
 
     key: str
     field: str
     source: str
     nominal: float
-    found: float
+    value: float
     low: float
     high: float
 
     @property
     def contradicts(self) -> bool:
         """Whether no effect of the catalogue explains its distance from the nominal value."""
-        return not self.low <= self.found <= self.high
+        return not self.low <= self.value <= self.high
 
-    def fits(self, value: float) -> bool:
+    def fits(self, nominal: float) -> bool:
         """Whether it would agree with another nominal value."""
-        share = value / self.nominal
-        return self.low * share <= self.found <= self.high * share
+        share = nominal / self.nominal
+        return self.low * share <= self.value <= self.high * share
 
     @property
     def sentence(self) -> str:
-        """File, column, found and expected."""
+        """File, column, the estimate and what was expected."""
         return (
             f"{self.source}: column {BY_FIELD[self.field].name}: implies {self.key} "
-            f"{self.found:.4g}; expected {self.low:.4g} to {self.high:.4g}"
+            f"{self.value:.4g}; expected {self.low:.4g} to {self.high:.4g}"
         )
 
 

@@ -112,15 +112,15 @@ def _find_contradictions(log: Log, nominal: Device) -> Mask:
 
 
 def _describe(log: Log, field: str, glitches: Mask) -> str:
-    """File, column, and for each glitch what was found and what was expected."""
+    """File, column, and for each glitch the reading and what was expected."""
     column, series = BY_FIELD[field], getattr(log, field)
-    found, expected = (
+    readings, expected = (
         (values[glitches] - column.offset) / column.factor
         for values in (series, _interpolate(series, glitches, np.isfinite(series)))
     )
     each = [
         f"{value:.9g} at time_s {time:g}, expected {other:.9g} as around it"
-        for value, other, time in zip(found, expected, log.time[glitches], strict=True)
+        for value, other, time in zip(readings, expected, log.time[glitches], strict=True)
     ]
     more = [f"{len(each) - MAX_REPORTED} more"] if len(each) > MAX_REPORTED else []
     return f"{log.source}: column {column.name}: {'; '.join(each[:MAX_REPORTED] + more)}"

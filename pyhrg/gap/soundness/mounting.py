@@ -55,11 +55,11 @@ def mend_mounting(log: Log, parameters: Collection[str]) -> tuple[Log, list[str]
 def _check_table_sign(logs: Sequence[Log]) -> list[Fault]:
     """A fault if the encoder counts against the gyro in most tests that turn the table."""
     slopes = [slope for slope in map(_fit_table_slope, logs) if np.isfinite(slope)]
-    reversed_ones = [slope for slope in slopes if abs(slope + 1) < TABLE_SLOPE_TOLERANCE]
-    if 2 * len(reversed_ones) <= len(slopes):
+    negative = [slope for slope in slopes if abs(slope + 1) < TABLE_SLOPE_TOLERANCE]
+    if 2 * len(negative) <= len(slopes):
         return []
-    sigma = float(np.std(reversed_ones)) / np.sqrt(len(reversed_ones))
-    return [Fault(TABLE_SIGN, float(np.mean(reversed_ones)), float(sigma))]
+    sigma = float(np.std(negative)) / np.sqrt(len(negative))
+    return [Fault(TABLE_SIGN, float(np.mean(negative)), float(sigma))]
 
 
 def _fit_table_slope(log: Log) -> float:

@@ -38,6 +38,8 @@ from pyhrg.records import Log, LogError
 from pyhrg.records.campaign import INDEX, Campaign, CampaignError, Test
 from pyhrg.records.table import fold_absent_columns
 
+KEY_NAMES = frozenset(key.name for key in KEYS)
+"""Names of all values that a device may have."""
 REQUIRED_KEYS = ("coriolis_factor", "decay_time_s", "frequency_Hz")
 """Nominal values without which no campaign is diagnosed."""
 MAX_CONTRADICTING_SHARE = 0.5
@@ -109,11 +111,9 @@ def screen_campaign(campaign: Campaign) -> Screening:
     missing = [key for key in REQUIRED_KEYS if key not in campaign.nominal]
     if missing:
         raise CampaignError(f"{INDEX}: nominal.{missing[0]}: missing; expected a number")
-    unknown = set(campaign.nominal) - {key.name for key in KEYS}
-    notes = [
-        f"{INDEX}: nominal.{key}: not known, ignored" for key in campaign.nominal if key in unknown
-    ]
-    nominal = nominal_device(campaign)
+    unknown = [name for name in campaign.nominal if name not in KEY_NAMES]
+    notes = [f"{INDEX}: nominal.{name}: not known, ignored" for name in unknown]
+    nominal = build_nominal_device(campaign)
     logs = [_read_log(test) for test in campaign.tests]
     pairs = list(zip(campaign.tests, logs, strict=True))
     to_fit = [log for test, log in pairs if isinstance(log, Log) and not test.is_holdout]
@@ -143,11 +143,10 @@ def screen_campaign(campaign: Campaign) -> Screening:
     return Screening(replace(campaign, tests=tuple(tests)), tuple(notes), faults)
 
 
-def nominal_device(campaign: Campaign) -> Device:
+def build_nominal_device(campaign: Campaign) -> Device:
     """The device that a campaign's nominal values state, without values that are no device key;
     an `HrgError` where they are no device's."""
-    names = {key.name for key in KEYS}
-    nominal = {name: value for name, value in campaign.nominal.items() if name in names}
+    nominal = {name: value for name, value in campaign.nominal.items() if name in KEY_NAMES}
     return replace(from_table(nominal, f"{INDEX}: nominal"), site=campaign.site)
 
 
@@ -180,7 +179,7 @@ def _check_gyro(estimates: Sequence[NominalEstimate]) -> None:
     for (key, field), own in by_field.items():
         if np.mean([estimate.contradicts for estimate in own]) <= MAX_CONTRADICTING_SHARE:
             continue
-        value = float(np.median([estimate.found for estimate in own]))
+        value = float(np.median([estimate.value for estimate in own]))
         others = [e for (k, f), es in by_field.items() if k == key and f != field for e in es]
         if not others or np.mean([e.fits(value) for e in others]) > MAX_CONTRADICTING_SHARE:
             contradicting = [estimate for estimate in own if estimate.contradicts]

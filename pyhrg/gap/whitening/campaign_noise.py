@@ -105,10 +105,8 @@ def adapt_to_rows(
         values if values is None or rows is None else values[rows]
         for values in (test.reading_noise.get(channel), test.noise_growth.get(channel))
     )
-    own = noise.add_reading_noise(levels)
-    if growth is None:
-        return own
-    return replace(own, walk_growth=growth, white_growth=None if channel == "amplitude" else growth)
+    white_growth = None if channel == "amplitude" else growth
+    return replace(noise, reading_noise=levels, white_growth=white_growth, walk_growth=growth)
 
 
 def whiten_finite(noise: NoiseModel, channel: str, test: ObservedTest, series: Array) -> Array:

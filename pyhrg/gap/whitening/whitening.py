@@ -77,10 +77,6 @@ class NoiseModel:
         values: dict[str, Any] = {term: level}
         return replace(self, **values)
 
-    def add_reading_noise(self, levels: Array | None) -> "NoiseModel":
-        """This noise with independent white noise of (n,) standard deviations added."""
-        return self if levels is None else replace(self, reading_noise=levels)
-
     def as_in(self, other: "NoiseModel") -> "NoiseModel":
         """This noise in the readings of another one."""
         return replace(

@@ -54,7 +54,7 @@ def campaign(simulation: Simulation, fmus: Fmus) -> Campaign:
         patch.setattr(case, "plan_tests", fast_plans)
         drawn = case.prepare_case(NONE, simulation)
     made = drawn.record_tests([(plan, fmus.of(plan)) for plan in drawn.plans], case.NOISE)
-    return drawn.campaign([test for test, _ in made])
+    return drawn.make_campaign([test for test, _ in made])
 
 
 def test_what_the_average_leaves_out_is_no_gap(simulation: Simulation, campaign: Campaign) -> None:

@@ -213,14 +213,14 @@ def test_results_of_two_versions_are_not_mixed(tmp_path: Path) -> None:
 
 def test_names_and_order_tell_nothing_of_the_kinds() -> None:
     counts = {"none": 30, "single": 30, "outside": 30, "left_out": 3}
-    cases = Settings(counts, seed=1).cases()
+    cases = Settings(counts, seed=1).list_cases()
     assert [case.name for case in cases] == [f"unit-{i:04d}" for i in range(1, 94)]
     kinds = [case.kind for case in cases]
     assert sorted(kinds) != kinds
     assert {kind: kinds.count(kind) for kind in counts} == counts
     assert len({case.seed for case in cases}) == len(cases)
     assert len({case.without for case in cases if case.without}) == 3
-    assert Settings(counts, seed=2).cases()[0].seed != cases[0].seed
+    assert Settings(counts, seed=2).list_cases()[0].seed != cases[0].seed
 
 
 @pytest.mark.usefixtures("quick_cases")

@@ -12,10 +12,10 @@ import pytest
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.catalogue import EFFECTS
 from pyhrg.gap.evidence.evidence import Fit
-from pyhrg.gap.evidence.hypothesis import Hypothesis, sigma_along
+from pyhrg.gap.evidence.hypothesis import Hypothesis, compute_sigma_along
 from pyhrg.gap.evidence.posterior import Posterior
 from pyhrg.gap.evidence.search import Ranking
-from pyhrg.gap.findings.verdict import _intervals
+from pyhrg.gap.findings.verdict import compute_intervals
 
 AXIS = EFFECTS["damping_anisotropy"]
 
@@ -26,12 +26,12 @@ def axis_at(degrees: float, magnitude: float = 1e-6) -> Array:
 
 
 def _along(covariance: Array) -> Callable[[Array], float]:
-    return partial(sigma_along, covariance=covariance)
+    return partial(compute_sigma_along, covariance=covariance)
 
 
 @pytest.mark.parametrize("degrees", [0.0, 0.01, 45.0, 89.99])
 def test_an_axis_has_its_spread_wherever_the_turn_begins(degrees: float) -> None:
-    found = _intervals(AXIS, axis_at(degrees), _along(np.eye(2) * 1e-8**2))
+    found = compute_intervals(AXIS, axis_at(degrees), _along(np.eye(2) * 1e-8**2))
     low, high = found["damping_axis_deg"]
     assert high - low == pytest.approx(2 * 1.96 * np.degrees(1e-2) / 4, rel=1e-6)
     assert (low + high) / 2 % 90 == pytest.approx(degrees % 90, abs=1e-6)
@@ -39,11 +39,11 @@ def test_an_axis_has_its_spread_wherever_the_turn_begins(degrees: float) -> None
 
 
 def test_an_axis_that_can_not_be_told_may_be_anywhere() -> None:
-    low, high = _intervals(AXIS, axis_at(10.0, 1e-9), _along(np.eye(2) * 1e-8**2))[
+    low, high = compute_intervals(AXIS, axis_at(10.0, 1e-9), _along(np.eye(2) * 1e-8**2))[
         "damping_axis_deg"
     ]
     assert high - low == pytest.approx(90)
-    found = _intervals(AXIS, np.zeros(2), _along(np.eye(2) * 1e-8**2))
+    found = compute_intervals(AXIS, np.zeros(2), _along(np.eye(2) * 1e-8**2))
     assert found["damping_anisotropy_per_s"][0] == 0.0
 
 
@@ -51,14 +51,14 @@ def test_correlation_counts() -> None:
     """Along and across the vector, by draws."""
     covariance = np.array([[4.0, 1.5], [1.5, 1.0]]) * 1e-16
     vector = axis_at(12.0)
-    low, high = _intervals(AXIS, vector, _along(covariance))["damping_axis_deg"]
+    low, high = compute_intervals(AXIS, vector, _along(covariance))["damping_axis_deg"]
     drawn = np.random.default_rng(1).multivariate_normal(vector, covariance, 20000)
     angles = np.degrees(np.arctan2(drawn[:, 1], drawn[:, 0])) / 4
     assert (high - low) / 3.92 == pytest.approx(float(np.std(angles)), rel=0.02)
 
 
 def test_a_delay_near_zero_has_its_whole_spread() -> None:
-    found = _intervals(EFFECTS["loop_delay"], np.array([1e-6]), _along(np.array([[1e-8]])))
+    found = compute_intervals(EFFECTS["loop_delay"], np.array([1e-6]), _along(np.array([[1e-8]])))
     low, high = found["loop_delay_s"]
     assert high - low == pytest.approx(2 * 1.96e-4)
 

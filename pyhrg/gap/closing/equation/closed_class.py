@@ -54,7 +54,7 @@ end {name};
 def write_class(device: Device, terms: Sequence[Term], title: str, notes: Sequence[str]) -> str:
     """Text of the class: the device with its terms; notes are sentences for its documentation."""
     own = _split_values(device)
-    seen = {response.variable for t in terms for response in _acting(t).responses}
+    seen = {response.variable for t in terms for response in _find_acting(t).responses}
     added = [variable for variable in ADDED if variable in seen]
     used = _list_uses(terms, added)
     started = ", ".join(f"{n}(start = {v!r})" for n, v in own["inputs"].items())
@@ -65,7 +65,7 @@ def write_class(device: Device, terms: Sequence[Term], title: str, notes: Sequen
     return TEXT.format(
         name=CLASS,
         version=version("hrg"),
-        title=_plain(title),
+        title=_clean_text(title),
         starts=f"({starts})" if starts else "",
         parameters="".join(_declare_parameters(t) for t in terms),
         variables=_declare_variables(used, added),
@@ -79,9 +79,8 @@ def write_class(device: Device, terms: Sequence[Term], title: str, notes: Sequen
 
 def _split_values(device: Device) -> dict[str, dict[str, float]]:
     """The FMU's values that differ from its defaults: of inputs, of power-on, of the gyro."""
-    values = dict(device.fmu_parameters())
     split: dict[str, dict[str, float]] = {"inputs": {}, "start": {}, "gyro": {}}
-    for name, value in values.items():
+    for name, value in device.fmu_parameters().items():
         kind = "gyro" if "." in name else "start" if name.startswith("start") else "inputs"
         split[kind][name] = convert_value(name, value)
     return split
@@ -115,7 +114,7 @@ def _format_modifiers(values: Mapping[str, float | str]) -> str:
     return ",\n    ".join(write({key: value}) for key, value in tree.items())
 
 
-def _acting(term: Term) -> Acting:
+def _find_acting(term: Term) -> Acting:
     return find_acting(as_candidate(term))
 
 
@@ -137,9 +136,9 @@ def _declare_parameters(term: Term) -> str:
         value = term.parameters[c.name]
         si = 0.0 if c.basis.test else value * c.factor
         where = " there, 0 else" if c.basis.test else ""
-        meaning = _plain(f"Coefficient of {c.basis.text}: {c.name} = {value:.6g}{where}")
+        meaning = _clean_text(f"Coefficient of {c.basis.text}: {c.name} = {value:.6g}{where}")
         lines.append(
-            f'  parameter HRG.Units.{_acting(term).type} {c.variable} = {si!r} "{meaning}";\n'
+            f'  parameter HRG.Units.{_find_acting(term).type} {c.variable} = {si!r} "{meaning}";\n'
         )
     return "".join(lines)
 
@@ -191,7 +190,7 @@ def _list_summands(terms: Sequence[Term], variable: str) -> list[str]:
     return [
         write_response(term.formula.modelica, response)
         for term in terms
-        for response in _acting(term).responses
+        for response in _find_acting(term).responses
         if response.variable == variable
     ]
 
@@ -204,7 +203,7 @@ def write_response(expression: str, response: Response) -> str:
 
 
 def _document(terms: Sequence[Term], notes: Sequence[str]) -> str:
-    parts = [f"<p>{_plain(html.escape(note, quote=False))}</p>" for note in notes]
+    parts = [f"<p>{_clean_text(html.escape(note, quote=False))}</p>" for note in notes]
     for term in terms:
         low_high = "; ".join(
             f"{n} = {v:.6g} (95 %: {term.interval_95[n][0]:.6g} to {term.interval_95[n][1]:.6g})"
@@ -212,7 +211,7 @@ def _document(terms: Sequence[Term], notes: Sequence[str]) -> str:
         )
         parts += [
             f"<pre>{variable} = {html.escape(summand, quote=False)}</pre>"
-            for variable in dict.fromkeys(r.variable for r in _acting(term).responses)
+            for variable in dict.fromkeys(r.variable for r in _find_acting(term).responses)
             for summand in _list_summands([term], variable)
         ]
         parts.append(
@@ -222,6 +221,6 @@ def _document(terms: Sequence[Term], notes: Sequence[str]) -> str:
     return "\n".join(parts)
 
 
-def _plain(text: str) -> str:
+def _clean_text(text: str) -> str:
     """Text for a Modelica string."""
     return text.replace("\\", "/").replace('"', "'")

@@ -75,7 +75,7 @@ BY_PREFIX = {
         ),
     ),
 }  # fmt: skip
-"""How a term acts whose function begins with this word and a colon."""
+"""How a term with this prefix acts."""
 DAMPING = Acting(
     "damping", "damping", "DampingCoefficient", "per_s", 1.0, (Response("addedAmplitudeForce"),)
 )
@@ -96,7 +96,7 @@ BY_CHANNEL = {
         "stiffness", "frequency", "AngularFrequency", "Hz", HZ, (Response("addedFrequency"),)
     ),
 }
-"""How another term of a channel other than the output angle acts."""
+"""How a term without a prefix acts, by its channel."""
 
 
 MISREAD_AMPLITUDE = (
@@ -108,15 +108,14 @@ MISREAD_AMPLITUDE = (
 
 
 def find_acting(term: CandidateTerm) -> Acting:
-    """How a term acts: by the word before its function, or by its channel. An error of the angle
+    """How a term acts: by its prefix, or by its channel. An error of the angle
     that follows the turntable or its load belongs to the bench; damping that follows the amplitude
     also acts while the drive is off, and an anisotropy of damping turns the pattern
     (docs/methods/effects.md, Eqs. 5d and 5e)."""
-    prefix, colon, _ = term.function.partition(": ")
-    acting = BY_PREFIX[prefix] if colon else BY_CHANNEL[term.channel]
+    acting = BY_PREFIX[term.prefix] if term.prefix else BY_CHANNEL[term.channel]
     more: list[Response] = []
     product = re.search(r"harmonic (\d+) .*, times", term.function)
-    if prefix == "pick-off" and product and int(product[1]) in LINEAR_HARMONICS:
+    if term.prefix == "pick-off" and product and int(product[1]) in LINEAR_HARMONICS:
         more += MISREAD_AMPLITUDE
     if acting is DAMPING and product and term.coordinate != "wave_angle":
         more.append(Response("addedRate", f"1/(2*{GAIN})", is_turned=True))

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.special import softmax
 
-from pyhrg.gap.closing.equation.forms import COORDINATE_OF, Basis, express_term
+from pyhrg.gap.closing.equation.expressions import COORDINATE_OF, Basis, express_term
 from pyhrg.gap.closing.equation.places import Acting, find_acting
 from pyhrg.gap.closing.equation.series import Series, estimate_causes
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
-from pyhrg.gap.effects.design import list_forms
+from pyhrg.gap.effects.design import list_rival_terms
 from pyhrg.gap.evidence.evidence import Fit, find_equivalents
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95
 from pyhrg.gap.evidence.posterior import Posterior
@@ -84,7 +84,7 @@ def make_terms(posterior: Posterior, causes: Mapping[CandidateTerm, Series]) -> 
 
 def _make_term(posterior: Posterior, best: Fit, term: CandidateTerm, series: Series) -> Term:
     rivals = _rank_rivals(posterior, best, term)
-    discovery = _probability(posterior, term, *rivals)
+    discovery = _compute_probability(posterior, term, *rivals)
     acting = find_acting(term)
     coefficients = [c for function in series for c in list_coefficients(function)]
     factors = np.array([c.basis.scale / c.factor for c in coefficients])
@@ -118,13 +118,13 @@ def _rank_rivals(
     """Rival forms: candidate terms of the same channel that explain about as much in the place of
     the term. The share of each in the probability of the class, the most probable first."""
     design = posterior.best.design
-    fits = find_equivalents(design, best, term, list_forms(design, term))
+    fits = find_equivalents(design, best, term, list_rival_terms(design, term))
     order = sorted(fits, key=lambda g: (-fits[g].log_evidence, g.words))
     shares = softmax([best.log_evidence, *(fits[g].log_evidence for g in order)])[1:]
     return dict(zip(order, shares.tolist(), strict=True))
 
 
-def _probability(posterior: Posterior, *terms: CandidateTerm) -> float:
+def _compute_probability(posterior: Posterior, *terms: CandidateTerm) -> float:
     """Posterior probability that one of these terms takes part."""
     pairs = zip(posterior.hypotheses, posterior.probabilities, strict=True)
     return min(1.0, sum(p * h.ranking.probability(*terms) for h, p in pairs))

@@ -30,7 +30,7 @@ from pyhrg.gap.replay.sampled import replay_sampled_together
 from pyhrg.gap.replay.simulation import MIN_REMAINING_SHIFT, ChannelValues, Simulation, add_channels
 from pyhrg.gap.whitening.campaign_noise import CampaignNoise
 
-Sizes = Mapping[CandidateTerm, Array]
+TermSizes = Mapping[CandidateTerm, Array]
 """(d,) size of each term that can be written, in units of its columns."""
 
 MAX_ROUNDS = 4
@@ -92,7 +92,9 @@ def _list_curved(posterior: Posterior) -> dict[CandidateTerm, Array]:
     return {term: size for term, size in list_sizes(posterior).items() if term.is_curved}
 
 
-def find_moved_tests(parts: Sequence[LinearTest], sizes: Sizes, noise: CampaignNoise) -> list[int]:
+def find_moved_tests(
+    parts: Sequence[LinearTest], sizes: TermSizes, noise: CampaignNoise
+) -> list[int]:
     """Indices of the tests in which terms of these sizes change the records by a chi-square of at
     least `NEGLIGIBLE_CHI2`."""
 
@@ -102,13 +104,15 @@ def find_moved_tests(parts: Sequence[LinearTest], sizes: Sizes, noise: CampaignN
     return _find_tests(parts, compute_changes, noise)
 
 
-def find_curved_tests(parts: Sequence[LinearTest], sizes: Sizes, noise: CampaignNoise) -> list[int]:
+def find_curved_tests(
+    parts: Sequence[LinearTest], sizes: TermSizes, noise: CampaignNoise
+) -> list[int]:
     """Indices of the tests in which the linear response to terms of these sizes misses a chi-square
     of at least `NEGLIGIBLE_CHI2`. Elsewhere the FMU with them need not run."""
     return _find_tests(parts, partial(estimate_missed, sizes=sizes), noise) if sizes else []
 
 
-def estimate_missed(part: LinearTest, sizes: Sizes) -> dict[str, Array]:
+def estimate_missed(part: LinearTest, sizes: TermSizes) -> dict[str, Array]:
     """(n,) by channel: what the linear response to terms of these sizes misses, because they turn
     the pattern (docs/methods/equation.md, Eq. 3a)."""
     where, slopes = part.where, part.slopes["gyro_angle"]
@@ -148,7 +152,7 @@ def _linearize(
     nominal: Device,
     part: LinearTest,
     answers: ChannelValues,
-    sizes: Sizes,
+    sizes: TermSizes,
 ) -> LinearTest:
     """A test linearized around a device with terms; its residual is referred to no terms.
 
@@ -172,7 +176,7 @@ def _linearize(
     return replace(around, residual=residual, simulated=part.simulated)
 
 
-def _have_converged(posterior: Posterior, before: Sizes) -> bool:
+def _have_converged(posterior: Posterior, before: TermSizes) -> bool:
     """Whether the most probable set has the same terms, each where it was."""
     after, best = _list_curved(posterior), posterior.best.ranking.best
     if after.keys() != before.keys():

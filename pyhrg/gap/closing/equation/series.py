@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.gap.closing.equation.forms import express_second, express_term
+from pyhrg.gap.closing.equation.expressions import express_second, express_term
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import select_groups

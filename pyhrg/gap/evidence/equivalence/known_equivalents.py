@@ -15,7 +15,7 @@ from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.known_parameters import KnownParameters
 from pyhrg.gap.effects.linear_test import Group
 from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS, Fit, fit
-from pyhrg.gap.evidence.hypothesis import make_feasibility_check, sigma_along
+from pyhrg.gap.evidence.hypothesis import compute_sigma_along, make_feasibility_check
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95
 
 
@@ -69,5 +69,5 @@ def _find_beyond(known: KnownParameters, fitted: Fit) -> set[Effect]:
         effect
         for effect, size in ((e, sizes[e]) for e in known.effects)
         if float(np.linalg.norm(size)) - known.tolerances[effect]
-        > NORMAL_95 * sigma_along(size, covariances[effect])
+        > NORMAL_95 * compute_sigma_along(size, covariances[effect])
     }

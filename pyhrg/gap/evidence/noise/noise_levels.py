@@ -43,10 +43,10 @@ def are_equal(noise: NoiseModel, other: NoiseModel) -> bool:
 
 def build_likelihood(residuals: Sequence[Residual]) -> Likelihood:
     """Log likelihood of these residuals; searches ask for it again at the same levels."""
-    return cache(partial(log_likelihood, residuals))
+    return cache(partial(compute_log_likelihood, residuals))
 
 
-def log_likelihood(residuals: Sequence[Residual], noise: NoiseModel) -> float:
+def compute_log_likelihood(residuals: Sequence[Residual], noise: NoiseModel) -> float:
     """Log likelihood of residuals of the output angle under a noise, up to a constant."""
     total = 0.0
     for residual in residuals:

@@ -24,14 +24,14 @@ from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
 STATED_PARTS = ("angle_random_walk", "angle_white_noise")
 """Parts of the noise whose stated levels may be somewhat wrong."""
-TOLERANCE = 0.03
+STATED_LEVEL_SIGMA = 0.03
 """Standard deviation of the logarithm of a stated level; a difference of this order is no gap.
 Chosen."""
 PASSES = 2
 """Number of times that each level is found given the others. Chosen."""
 MAX_DEVIATION = 9.0
-"""Largest deviation of a stated level, in units of `TOLERANCE`. Chosen: beyond any that the prior
-lets happen."""
+"""Largest deviation of a stated level, in units of `STATED_LEVEL_SIGMA`. Chosen: beyond any that
+the prior lets happen."""
 DEVIATION_PRECISION = 0.02
 """Precision of that deviation, in the same units. Chosen."""
 
@@ -52,12 +52,12 @@ class NoisePosterior:
         for part in parts * PASSES:
 
             def misfit(x: float, part: str = part, noise: NoiseModel = noise) -> float:
-                level = getattr(self.stated, part) * math.exp(TOLERANCE * x)
+                level = getattr(self.stated, part) * math.exp(STATED_LEVEL_SIGMA * x)
                 return x**2 / 2 - self.likelihood(noise.at(part, level))
 
             bounds, options = (-MAX_DEVIATION, MAX_DEVIATION), {"xatol": DEVIATION_PRECISION}
             best = float(minimize_scalar(misfit, bounds=bounds, options=options).x)
-            noise = noise.at(part, getattr(self.stated, part) * math.exp(TOLERANCE * best))
+            noise = noise.at(part, getattr(self.stated, part) * math.exp(STATED_LEVEL_SIGMA * best))
         return noise
 
     def set_levels(self, added: Sequence[AddedNoise]) -> NoiseModel:
@@ -75,7 +75,7 @@ class NoisePosterior:
         for name in STATED_PARTS:
             stated = getattr(self.stated, name)
             if name not in replaced and stated > 0:
-                total -= (math.log(getattr(noise, name) / stated) / TOLERANCE) ** 2 / 2
+                total -= (math.log(getattr(noise, name) / stated) / STATED_LEVEL_SIGMA) ** 2 / 2
         return total
 
     def log_density(self, noise: NoiseModel, added: Sequence[AddedNoise], part: str = "") -> float:

@@ -80,7 +80,7 @@ def require_noise(nominal: Device, tests: Sequence[ObservedTest]) -> list[RestSt
     return rests
 
 
-def _log_likelihood(stretch: Stretch, noise: NoiseModel) -> float:
+def _compute_log_likelihood(stretch: Stretch, noise: NoiseModel) -> float:
     """Log likelihood under a noise with the drift integrated out, up to a constant."""
     white = whiten(*stretch, noise)
     columns, triangle = np.linalg.qr(white.series[:, 1:])
@@ -113,7 +113,7 @@ def _estimate_noise(stretches: Sequence[Stretch]) -> tuple[float, float]:
         return NoiseModel(float(white), float(walk / root))
 
     def misfit(logarithms: Array) -> float:
-        return -sum(_log_likelihood(stretch, noise(logarithms)) for stretch in stretches)
+        return -sum(_compute_log_likelihood(stretch, noise(logarithms)) for stretch in stretches)
 
     optimum = minimize(misfit, np.full(2, -1.0), method="Nelder-Mead", bounds=[(-7.0, 3.0)] * 2)
     best = noise(optimum.x)

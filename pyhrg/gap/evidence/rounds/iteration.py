@@ -18,7 +18,7 @@ from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.effects.sensitivities import compute_sensitivities, linearize_test
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2, list_large_terms, rank_with_forms
-from pyhrg.gap.evidence.hypothesis import Hypothesis, estimate_nominal_noise, rank_under_noise
+from pyhrg.gap.evidence.hypothesis import Hypothesis, estimate_nominal_noise, rank_roughly
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
 from pyhrg.gap.evidence.posterior import Posterior, average_posteriors, compare_noises
@@ -227,7 +227,7 @@ class _Iteration:
         """Sets under the present noise, at last beside the forms that terms may have."""
         nominal, error = self._nominal, self._linearization_error
         if error:
-            return rank_under_noise(self.noise, nominal, self.parts, error)
+            return rank_roughly(self.noise, nominal, self.parts, error)
         hypothesis = rank_with_forms(self.noise, nominal, self.parts, self._last_exact)
         for _ in range(MAX_PERIODS):
             if not self._take_period(hypothesis):

@@ -5,8 +5,8 @@ from pyhrg.gap.effects.linear_test import Group
 ERROR_DECAY = 4.0
 """Factor by which the allowed linearization error falls where sets that explain as much are taken
 in turn, each after the long step from another. Chosen."""
-LONGER = 4.0
-"""Ratio of two steps in succession above which the second is far longer. Chosen."""
+LONG_STEP_RATIO = 4.0
+"""Ratio of a step's length to that of the step before above which it is far longer. Chosen."""
 
 
 class Turns:
@@ -21,7 +21,7 @@ class Turns:
         one before, others came between, and the step is about as long as the last one. After a far
         longer one the equations are not linear (docs/methods/evidence.md, Eq. 10)."""
         returns = groups in self._sets[:-1] and groups != self._sets[-1]
-        is_alike = length < LONGER * self._last_length
+        is_comparable = length < LONG_STEP_RATIO * self._last_length
         self._sets.append(groups)
         self._last_length = length
-        return returns and is_alike
+        return returns and is_comparable

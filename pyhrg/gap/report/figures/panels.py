@@ -12,6 +12,7 @@ from scipy.sparse import csr_array
 from pyhrg.common.arrays import Array
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95
+from pyhrg.gap.findings.localisation import sum_shares
 from pyhrg.gap.report.figures.strips import Band, Labels, Size, Strip, draw_strips
 from pyhrg.gap.report.figures.views import (
     AXES,
@@ -23,7 +24,6 @@ from pyhrg.gap.report.figures.views import (
     draw_view_noise,
     find_moving_axes,
 )
-from pyhrg.gap.report.places import sum_shares
 
 
 @dataclass(frozen=True)

@@ -34,7 +34,7 @@ def drawing(meter: Meter, seed: int, effects: tuple[str, ...] = SEEN) -> Drawing
 
 @pytest.mark.parametrize("effect", [*SEEN, "angle_white_noise", "angle_quantisation"])
 def test_an_effect_is_as_strong_as_it_was_drawn(meter: Meter, effect: str) -> None:
-    state = drawing(meter, 1, (effect,)).state("single")
+    state = drawing(meter, 1, (effect,)).draw_state("single")
     (strength,) = state.truth.strengths
     assert 6 <= strength <= 60
     assert meter.sigmas_of(effect, state.truth.parameters) == pytest.approx(strength, rel=0.02)
@@ -43,7 +43,7 @@ def test_an_effect_is_as_strong_as_it_was_drawn(meter: Meter, effect: str) -> No
 
 
 def test_none_is_the_nominal_gyro(meter: Meter) -> None:
-    state = drawing(meter, 1).state("none")
+    state = drawing(meter, 1).draw_state("none")
     assert state.device == GYRO
     assert state.truth.effects == ()
 
@@ -51,23 +51,23 @@ def test_none_is_the_nominal_gyro(meter: Meter) -> None:
 def test_a_pair_is_two_that_cannot_stand_in_for_each_other(
     meter: Meter, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    state = drawing(meter, 4).state("pair")
+    state = drawing(meter, 4).draw_state("pair")
     assert len(set(state.truth.effects)) == 2
     noises = ("angle_white_noise", "angle_quantisation")
     monkeypatch.setattr("pyhrg.challenge.truths.truth.MAX_ATTEMPTS", 10)
     with pytest.raises(ValueError, match="pair: the tests show nothing"):
-        drawing(meter, 1, noises).state("pair")
+        drawing(meter, 1, noises).draw_state("pair")
 
 
 def test_several_are_three_to_eight(meter: Meter) -> None:
     more = ("pickoff_nonorthogonality", "frequency_split", "angle_random_walk")
-    truth = drawing(meter, 2, (*SEEN, *more)).state("several").truth
+    truth = drawing(meter, 2, (*SEEN, *more)).draw_state("several").truth
     assert 3 <= len(set(truth.effects)) == len(truth.strengths) <= 8
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_an_effect_beside_noise_stands_out_of_it(meter: Meter, seed: int) -> None:
-    state = drawing(meter, seed, ("angle_random_walk", "coriolis_factor_error")).state("pair")
+    state = drawing(meter, seed, ("angle_random_walk", "coriolis_factor_error")).draw_state("pair")
     walking = replace(GYRO, angle_random_walk=state.device.angle_random_walk)
     coriolis = EFFECTS["coriolis_factor_error"]
     beside = coriolis.put(walking, coriolis.vector(state.device))
@@ -75,7 +75,7 @@ def test_an_effect_beside_noise_stands_out_of_it(meter: Meter, seed: int) -> Non
 
 
 def test_outside_names_its_form(meter: Meter) -> None:
-    state = drawing(meter, 2).state("outside")
+    state = drawing(meter, 2).draw_state("outside")
     assert state.truth.form
     assert state.truth.coordinate
     assert state.truth.place in PLACES
@@ -86,7 +86,7 @@ def test_outside_names_its_form(meter: Meter) -> None:
 
 
 def test_an_effect_left_out_tells_its_stand_ins(meter: Meter) -> None:
-    state = drawing(meter, 1, ("angle_quantisation",)).state("left_out")
+    state = drawing(meter, 1, ("angle_quantisation",)).draw_state("left_out")
     assert "angle_white_noise" in state.truth.stand_ins
     assert "angle_quantisation" not in state.truth.stand_ins
     assert set(state.truth.stand_ins) <= set(EFFECT_NAMES)
@@ -94,9 +94,9 @@ def test_an_effect_left_out_tells_its_stand_ins(meter: Meter) -> None:
 
 def test_what_tests_cannot_show_is_refused(meter: Meter) -> None:
     with pytest.raises(ValueError, match="single: the tests show nothing at"):
-        drawing(meter, 1, ("temperature_rate_bias",)).state("single")
+        drawing(meter, 1, ("temperature_rate_bias",)).draw_state("single")
     with pytest.raises(ValueError, match="other: expected one of none"):
-        drawing(meter, 1).state("other")
+        drawing(meter, 1).draw_state("other")
 
 
 def test_size_is_solved() -> None:

@@ -133,15 +133,17 @@ def test_probabilities_are_those_of_all_hypotheses() -> None:
     assert posterior.probability("rate_random_walk") == pytest.approx(0.6)
     assert posterior.probability(SILENT.name) == pytest.approx(0.4)
     assert posterior.probability("rate_random_walk", SILENT.name) == pytest.approx(1.0)
-    assert posterior.equivalents("rate_random_walk") == (SILENT.name,)
+    assert posterior.list_equivalents("rate_random_walk") == (SILENT.name,)
     last = Posterior((silent,), (1.0,))
     average = average_posteriors([posterior, last])
     assert average.best is silent
     assert average.probability("rate_random_walk") == pytest.approx(0.3)
     assert average.probability(SILENT.name) == pytest.approx(0.7)
     assert sum(average.probabilities) == pytest.approx(1.0)
-    assert Posterior((walks, silent), (0.96, 0.04)).equivalents("rate_random_walk") == ()
-    assert Posterior((silent, walks), (0.6, 0.4)).equivalents(SILENT.name) == ("rate_random_walk",)
+    assert Posterior((walks, silent), (0.96, 0.04)).list_equivalents("rate_random_walk") == ()
+    assert Posterior((silent, walks), (0.6, 0.4)).list_equivalents(SILENT.name) == (
+        "rate_random_walk",
+    )
 
 
 @pytest.mark.parametrize("correlated", [CorrelatedNoise(0.1 * ARCSEC, 30.0, of_rate=False)])

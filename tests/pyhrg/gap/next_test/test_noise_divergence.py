@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
-from pyhrg.gap.evidence.noise.noise_levels import log_likelihood
+from pyhrg.gap.evidence.noise.noise_levels import compute_log_likelihood
 from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.next_test.candidate_tests import LONG_ROWS
-from pyhrg.gap.next_test.noise_divergence import compute_divergence, increment_spectrum
+from pyhrg.gap.next_test.noise_divergence import compute_divergence, compute_increment_spectrum
 from pyhrg.gap.whitening.whitening import NoiseModel, draw_noise
 
 BELIEVED = NoiseModel(0.036 * ARCSEC, 3e-4 * DEG_PER_SQRT_H)
@@ -26,7 +26,9 @@ def test_spectrum_is_that_of_draws(noise: NoiseModel) -> None:
     steps = [np.diff(draw_noise(noise, n + 1, LONG_ROWS, generator)) for _ in range(draws)]
     power = np.mean([np.abs(np.fft.rfft(s * window)) ** 2 for s in steps], axis=0)
     angular = 2 * np.pi * np.arange(1, n // 2 + 1) / n
-    ratio = (power[1:] / (window**2).sum() / increment_spectrum(noise, LONG_ROWS, angular))[4:-1]
+    ratio = (power[1:] / (window**2).sum() / compute_increment_spectrum(noise, LONG_ROWS, angular))[
+        4:-1
+    ]
     octaves = np.array_split(ratio, 16)
     for octave in octaves:
         assert octave.mean() == pytest.approx(1, abs=4 * np.sqrt(2 / (draws * len(octave))) + 0.02)
@@ -52,7 +54,7 @@ def test_divergence_is_the_mean_log_likelihood_ratio_of_draws(
             interval,
             BELIEVED,
         )
-        own, other = (log_likelihood([record], noise) for noise in (BELIEVED, rival))
+        own, other = (compute_log_likelihood([record], noise) for noise in (BELIEVED, rival))
         gained.append(own - other)
     error = np.std(gained) / np.sqrt(len(gained))
     expected = compute_divergence(BELIEVED, rival, n * interval, interval)

@@ -12,7 +12,7 @@ from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG, HZ
 from pyhrg.fmu import GyroFmu
 from pyhrg.gap.effects.catalogue import DETERMINISTIC, NOISES, Effect, NoiseEffect
-from pyhrg.gap.soundness import nominal_device, screen_campaign
+from pyhrg.gap.soundness import build_nominal_device, screen_campaign
 from pyhrg.records import COLUMNS, Log, campaign
 from pyhrg.records.campaign import Campaign, CampaignError
 from tests.pyhrg.gap.soundness.conftest import NOMINAL, record_campaign
@@ -120,7 +120,7 @@ def test_nominal_values_are_checked(error_free: Campaign) -> None:
         replace(error_free, nominal={**error_free.nominal, "colour": 3.0})
     )
     assert exclusions == ("campaign.json: nominal.colour: not known, ignored",)
-    assert nominal_device(screened) == nominal_device(error_free)
+    assert build_nominal_device(screened) == build_nominal_device(error_free)
 
 
 EXCLUDED: list[tuple[Change, tuple[str, ...], str]] = [

@@ -25,7 +25,7 @@ def estimate_last_variance(noise: NoiseModel) -> float:
             NoiseModel(0.0, lagged=2.0, lag=600.0),
             4.0 / 600 / 2 * (1 - np.exp(-2 * TIME / 600)),
         ),
-        (NoiseModel(0.3).add_reading_noise(np.linspace(0.0, 0.4, N)), 0.25),
+        (NoiseModel(0.3, reading_noise=np.linspace(0.0, 0.4, N)), 0.25),
     ],
 )
 def test_the_variance_of_the_last_reading(noise: NoiseModel, variance: float) -> None:

@@ -66,7 +66,7 @@ NOISES = [
 ]
 TURNING = np.repeat([0.0, 0.5, 0.0, 2.0], 30)
 """Noise of readings, equal over many rows."""
-NOISES += [NoiseModel(0.3, walk).add_reading_noise(TURNING) for walk in (0.0, 0.2)]
+NOISES += [NoiseModel(0.3, walk, reading_noise=TURNING) for walk in (0.0, 0.2)]
 DECAYING = np.repeat([0.0, 1.0, 2.5], [30, 30, 60])
 """Growth of a noise as an amplitude decays; at first there is none."""
 NOISES.append(NoiseModel(0.3, 0.2, 0.02, white_growth=1 + DECAYING, walk_growth=DECAYING))

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pyhrg.gap.closing.equation.forms import express_term
+from pyhrg.gap.closing.equation.expressions import express_term
 from pyhrg.gap.closing.equation.series import expand_form
 from pyhrg.gap.effects.coordinates import make_harmonic
 from pyhrg.gap.effects.form import Form

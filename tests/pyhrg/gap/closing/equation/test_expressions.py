@@ -8,7 +8,7 @@ import pytest
 from pyhrg.bench.readings.first_order_lag import follow_with_lag
 from pyhrg.common.units import DEG
 from pyhrg.gap.closing.equation.closed_class import write_response
-from pyhrg.gap.closing.equation.forms import Basis, express_term
+from pyhrg.gap.closing.equation.expressions import Basis, express_term
 from pyhrg.gap.closing.equation.places import GAIN, GROWTH, LEAK, find_acting
 from pyhrg.gap.closing.equation.proposal import list_coefficients
 from pyhrg.gap.effects.candidate_terms import CandidateTerm

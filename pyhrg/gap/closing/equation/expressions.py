@@ -87,9 +87,9 @@ class Basis:
 def express_term(term: CandidateTerm) -> tuple[Basis, ...]:
     """Basis functions of a term in the order of its columns; none if it can't be written: a value
     for each power-on, a step of the pattern."""
-    if term.function.startswith("pattern: "):
+    if term.prefix == "pattern":
         return ()
-    bases = _express(re.sub("^[a-z -]+: ", "", term.function))
+    bases = _express(term.bare_function)
     if not term.is_encoder_error:
         return bases
     if term.coordinate == "acceleration":
@@ -99,7 +99,7 @@ def express_term(term: CandidateTerm) -> tuple[Basis, ...]:
 
 def _express(function: str) -> tuple[Basis, ...]:
     """Basis functions of a function in words; none if it can't be written."""
-    for pattern, make in _FORMS:
+    for pattern, make in _EXPRESSIONS:
         if match := re.fullmatch(pattern, function):
             return make(match)
     return ()
@@ -134,11 +134,11 @@ def _angle(coordinate: Coordinate, harmonic: int) -> tuple[Basis, ...]:
     """Cosine and sine of a harmonic of an angle."""
     name = coordinate.name
     shown = {"pattern": "theta", "tableAngle": "psi"}[name]
-    of = f"{harmonic}*{name}" if harmonic != 1 else name
+    argument = f"{harmonic}*{name}" if harmonic != 1 else name
     text = f"{harmonic} {shown}" if harmonic != 1 else shown
     ending = "_table" if coordinate is TABLE else ""
     return tuple(
-        Basis(f"{f}{harmonic}{ending}", f"{f}({text})", f"{f}({of})", 1.0, "", (name,))
+        Basis(f"{f}{harmonic}{ending}", f"{f}({text})", f"{f}({argument})", 1.0, "", (name,))
         for f in ("cos", "sin")
     )
 
@@ -185,7 +185,7 @@ Match = re.Match[str]
 _TENTH = 1 / TERM_SCALE
 
 
-def _rate_power(words: str) -> int:
+def _read_power(words: str) -> int:
     return {"": 1, " squared": 2, " cubed": 3}[words]
 
 
@@ -229,7 +229,7 @@ def _raise_function(match: Match) -> tuple[Basis, ...]:
     return tuple(_raise(basis, int(match[1]), match[3]) for basis in _express(match[2]))
 
 
-_FORMS: tuple[tuple[str, Callable[[Match], tuple[Basis, ...]]], ...] = (
+_EXPRESSIONS: tuple[tuple[str, Callable[[Match], tuple[Basis, ...]]], ...] = (
     (r"(.*), times (power \d of )?(?:the )?(.*?)( to \S*)?", _multiply),
     (r"power (\d) of (.*) to (\S*)", _raise_function),
     ("mean over the pattern angle", lambda m: (Basis("mean", "1", "1", 1.0, "", ()),)),
@@ -253,7 +253,7 @@ _FORMS: tuple[tuple[str, Callable[[Match], tuple[Basis, ...]]], ...] = (
     ("direction of the temperature rate",
      lambda m: (_single(WARMING, "temperature_rate_direction",
                         "warming/sqrt(warming^2 + 0.05^2)", 1.0, ""),)),
-    (r"rate( squared| cubed|)", lambda m: (_power(TURN, "rate", _rate_power(m[1]), DEG),)),
+    (r"rate( squared| cubed|)", lambda m: (_power(TURN, "rate", _read_power(m[1]), DEG),)),
     ("magnitude of the rate",
      lambda m: (_single(TURN, "rate_magnitude", "abs(turnRate)", DEG, "deg_s"),)),
     ("rate times its magnitude",
@@ -264,7 +264,7 @@ _FORMS: tuple[tuple[str, Callable[[Match], tuple[Basis, ...]]], ...] = (
      lambda m: (_single(COMMANDED, "commanded_rotation_magnitude", "abs(commandedRate)", DEG,
                         "deg_s"),)),
     (r"acceleration ([xyz])( squared|)",
-     lambda m: (_power(FORCES[m[1]], f"acceleration_{m[1]}", _rate_power(m[2]), _TENTH),)),
+     lambda m: (_power(FORCES[m[1]], f"acceleration_{m[1]}", _read_power(m[2]), _TENTH),)),
     (r"acceleration ([xyz]) times ([xyz])", _product),
     ("amplitude", lambda m: (_power(STRETCH, "amplitude", 1, 1.0),)),
     ("amplitude squared",

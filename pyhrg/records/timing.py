@@ -18,6 +18,8 @@ INTERVAL_RANGE = (1e-6, 1e6)
 MAX_WRONG_SHARE = 0.005
 """Largest share of rows that are left out because they contradict each other or are out of order.
 Chosen: more is another recorder's log."""
+RESTART_SHARE = 0.5
+"""Share of a log's time so far, below which a time that runs back begins the log again. Chosen."""
 MAX_SPARSENESS = 100
 """Largest ratio of the intervals that a log spans to its rows. Chosen: missing rows take memory."""
 FREE_ROWS = 1_000_000
@@ -54,6 +56,14 @@ def _refuse_disorder(table: Table) -> None:
     """Raise the error on the first row that contradicts another, or whose time runs back."""
     time = table.columns["time"]
     values, (first, second) = _stack_values(table), _pair_rows_of_one_time(table)
+    back = np.flatnonzero(np.diff(time) < 0)
+    if len(back) == 1 and time[back[0] + 1] <= time[0] + (time[back[0]] - time[0]) * RESTART_SHARE:
+        raise table.error(
+            int(back[0]) + 1,
+            "time",
+            f"{time[back[0] + 1]:g} after {time[back[0]]:g}: the log begins again; expected a file "
+            "for each part",
+        )
     if len(first):
         differs = ~_are_equal(values[first[0]], values[second[0]])
         raise table.error(

@@ -125,7 +125,7 @@ def _check_wave(log: Log, nominal: Device) -> list[Exclusion]:
     rotation = _compute_rotation(log, log.gyro_angle)
     period = _find_wrap_period(log.wave_angle - k * rotation)
     if period:
-        jumps = f"it jumps by {period:g} deg, is it wrapped?"
+        jumps = f"it jumps by {period:g} deg, is it wrapped? A mapping says so by wraps_every"
         return [exclude_columns(log, ("wave_angle",), f"{trouble}: {jumps}")]
     fits = find_column_orders(log, nominal)
     if fits:

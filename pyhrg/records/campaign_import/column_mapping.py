@@ -1,7 +1,8 @@
 """The mapping of one column: where a laboratory logs it, and in which unit."""
 
 import math
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from datetime import UTC, datetime
 
 from pyhrg.common.toml_table import TomlTable
@@ -33,6 +34,7 @@ class ColumnMapping:
     integrate: one of `INTEGRATION_KINDS`; empty: the angle itself is logged.
     from_zero: whether the first value is subtracted.
     time_format: of a clock's text, as in `datetime.strptime`, or `iso`.
+    states: number that each word of the column stands for; empty where it holds numbers.
     """
 
     place: str
@@ -47,6 +49,7 @@ class ColumnMapping:
     integrate: str = ""
     from_zero: bool = False
     time_format: str = ""
+    states: Mapping[str, float] = field(default_factory=dict)
 
 
 def read_columns(table: TomlTable) -> dict[str, ColumnMapping]:
@@ -76,6 +79,7 @@ def _read_logged_column(entry: TomlTable, place: str, column: Column) -> ColumnM
         ("column", "unit", "scale", "offset", "from_zero")
         + (("wraps_every", "integrate") if column.unit == "deg" else ())
         + (("format",) if column.field == "time" else ())
+        + (() if column.unit else ("states",))
     )
     name = entry.require("column", "the name of the lab's column, or its number from 1")
     if isinstance(name, bool) or not isinstance(name, str | int) or name == "":
@@ -89,6 +93,7 @@ def _read_logged_column(entry: TomlTable, place: str, column: Column) -> ColumnM
     scale = entry.number("scale", 1.0, -LARGEST_FACTOR, LARGEST_FACTOR)
     if scale == 0:
         raise entry.error("scale", scale, "a number other than 0")
+    states = entry.table("states")
     unit_name, unit = ("", PLAIN) if time_format else _read_unit(entry, column, integrate)
     return ColumnMapping(
         place=place,
@@ -102,6 +107,7 @@ def _read_logged_column(entry: TomlTable, place: str, column: Column) -> ColumnM
         integrate=integrate,
         from_zero=entry.flag("from_zero", False),
         time_format=time_format,
+        states={word: states.finite_number(word) for word in states.values},
     )
 
 

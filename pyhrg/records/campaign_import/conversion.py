@@ -40,7 +40,7 @@ def convert_to_si(mapping: ColumnMapping, cells: Cells) -> Array:
         value = mapping.unit.factor * mapping.constant + mapping.unit.offset
         return np.full(len(cells.rows), value)
     try:
-        numbers = cells.numbers(mapping.logged)
+        numbers = cells.numbers(mapping.logged, mapping.states)
     except HrgError as error:
         raise LogError(f"{error} ({mapping.place})") from error
     return mapping.unit.factor * (mapping.scale * numbers + mapping.offset) + mapping.unit.offset

@@ -102,7 +102,7 @@ def _check_place(out: Path, force: bool) -> None:
     if names and not force:
         raise HrgError(
             f"can't write {out}: found a campaign there; choose another folder, or replace it with "
-            "--force"
+            "--force (in Python force=True)"
         )
 
 

@@ -1,6 +1,6 @@
 """The layout of a laboratory's text file, and its cells."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -78,12 +78,18 @@ class Cells:
         """Whether a cell's text stands for no value."""
         return text.lower() in self.layout.missing
 
-    def numbers(self, column: str | int) -> NDArray[np.float64]:
-        """(n,) values of a column, NaN where there is none."""
+    def numbers(
+        self, column: str | int, states: Mapping[str, float] | None = None
+    ) -> NDArray[np.float64]:
+        """(n,) values of a column, NaN where there is none; `states` are the numbers of words."""
         texts = self.texts(column)
-        return np.array([self._number(i, column, text) for i, text in enumerate(texts)])
+        return np.array([self._number(i, column, t, states or {}) for i, t in enumerate(texts)])
 
-    def _number(self, index: int, column: str | int, text: str) -> float:
+    def _number(
+        self, index: int, column: str | int, text: str, states: Mapping[str, float]
+    ) -> float:
+        if text in states:
+            return states[text]
         if self.is_missing(text):
             return np.nan
         decimal = self.layout.decimal

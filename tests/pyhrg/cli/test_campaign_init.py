@@ -10,6 +10,7 @@ import pytest
 
 from pyhrg import import_campaign
 from pyhrg.common.cli import main
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign_import import draft_mapping
 from tests.pyhrg.cli.test_campaign import run, write_example
@@ -66,7 +67,7 @@ def test_a_draft_of_another_laboratorys_logs_needs_no_edit(
         == 0
     )
     draft = tomllib.loads(out.read_text())
-    assert [test["id"] for test in draft["tests"]] == ["rate_5_1", "rate_5_2", "rate-5"]
+    assert [test["id"] for test in draft["tests"]] == ["rateplus5_1", "rateplus5_2", "rate-5"]
     assert "absent" in draft["tests"][1]
     assert "not used" not in out.read_text().partition("[layout]")[2]
     fill_in(out)
@@ -202,3 +203,46 @@ def test_what_is_not_found_is_to_be_edited(
     fill_in(out)
     assert run(out, "--check") == 2
     assert refusal in capsys.readouterr().err
+
+
+def test_logs_in_volts_share_one_scale(tmp_path: Path) -> None:
+    """Of the longest steady log, also where a sweep of the amplitude begins near 1; quadrature
+    forces in volts have it too. Words of the drive, a wrapped pattern angle, a commanded rotation
+    and attitudes by accelerometers are found."""
+    t = np.arange(1, 400)
+    frame = pd.DataFrame({"t_ms": 1000 * t, "out_deg": 2.5 * t, "F_quad_V_s": 2e-3, "drive": "ON"})
+    frame["pattern_deg_wrapped"] = (100 - 0.277 * frame.out_deg) % 180
+    frame["ampl_V"] = 1.27 + 1e-6 * np.random.default_rng(1).standard_normal(len(t))
+    frame.loc[300:, "drive"] = "OFF"
+    sweep = frame.iloc[:100].assign(ampl_V=1.016, Aset_V=1.016, acc_z_g=1.0)
+    short = frame.iloc[:50].assign(ampl_V=1.2701, Vcmd_dps=1.0, out_deg=0.0)
+    short["pattern_deg_wrapped"] = 100 + 0.277 * t[:50]
+    for name, part in (("rest", frame), ("SN7_VR_pos", short), ("drive_cycle", sweep)):
+        part.to_csv(tmp_path / f"{name}.csv", index=False)
+    logs = [tmp_path / f"{name}.csv" for name in ("rest", "SN7_VR_pos", "drive_cycle")]
+    (tmp_path / "mapping.toml").write_text(draft_mapping(logs, tmp_path))
+    fill_in(tmp_path / "mapping.toml")
+    imported = import_campaign(tmp_path / "mapping.toml").campaign
+    rest, rotation, cycle = imported.tests
+    assert (rotation.kind, cycle.kind, cycle.role) == ("virtual_rotation", "manoeuvre", "holdout")
+    assert np.median(rest.log.amplitude) == pytest.approx(1, abs=1e-8)
+    assert rotation.log.amplitude[0] == pytest.approx(1.2701 / 1.27, abs=1e-6)
+    assert cycle.log.amplitude_setpoint[0] == pytest.approx(0.8, abs=1e-6)
+    assert cycle.log.quadrature_force[0] == pytest.approx(2e-3 / 1.27)
+    assert not cycle.log.has_values("axis_up")
+    assert rest.log.drive_on[[0, -1]] == pytest.approx([1, 0])
+    assert np.ptp(rest.log.wave_angle) / DEG == pytest.approx(0.277 * 2.5 * 398)
+    assert rotation.log.virtual_rotation[0] == pytest.approx(DEG)
+    assert imported.tolerances == dict.fromkeys(
+        ("amplitude_scale", "amplitude_force_scale", "quadrature_force_scale"), 0.01
+    )
+
+
+def test_a_log_that_begins_again_is_refused(tmp_path: Path) -> None:
+    seconds = [*range(1, 50), *range(1, 40)]
+    rows = "".join(f"{t},0.1,{i}\n" for i, t in enumerate(seconds))
+    (tmp_path / "log.csv").write_text("t [s],gyro [deg],pattern [deg]\n" + rows)
+    (tmp_path / "mapping.toml").write_text(draft_mapping([tmp_path / "log.csv"], tmp_path))
+    fill_in(tmp_path / "mapping.toml")
+    with pytest.raises(HrgError, match=r"row 51, .*1 after 49: the log begins again"):
+        import_campaign(tmp_path / "mapping.toml")

@@ -1,7 +1,7 @@
 """Guesses of what the columns of a log are, from its header and its values."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from datetime import datetime
 
@@ -10,54 +10,18 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign_import.column_mapping import BY_STEM
-from pyhrg.records.campaign_import.sketch import Sketch
-from pyhrg.records.campaign_import.units import ANGLE, BY_COLUMN_UNIT, FREQUENCY, RATE, TURN
+from pyhrg.records.campaign_import.drafting.header_words import (
+    KINDS,
+    KNOWN_UNITS,
+    PATTERNS,
+    STATES,
+    UNIT_NAMES,
+    UNSURE_PATTERNS,
+    USUAL_UNITS,
+)
+from pyhrg.records.campaign_import.drafting.sketch import Sketch
+from pyhrg.records.campaign_import.units import ANGLE, BY_COLUMN_UNIT, RATE, TURN
 
-PATTERNS = {
-    "time": r"^t$|time|zeit|stamp",
-    "table_angle": r"table|^enc|tisch|stage",
-    "axis_up": r"axis_up",
-    "accel_x": r"^acc.*x$|^a_?x$|^f_?x$",
-    "accel_y": r"^acc.*y$|^a_?y$|^f_?y$",
-    "accel_z": r"^acc.*z$|^a_?z$|^f_?z$",
-    "temperature": r"^temp|^t$|^t[ _]?(case|gyro)|^case|gehäuse",
-    "virtual_rotation": r"virtual|^vr",
-    "amplitude_setpoint": r"set_?point",
-    "phase_offset": r"phase_?offset",
-    "drive_on": r"drive|^drv",
-    "wave_angle": r"wave|pattern|muster|welle|theta|precession",
-    "quadrature_force": r"quad|^f_?q$",
-    "amplitude_force": r"ampl.*(force|kraft)|damping|^f_?a(mpl?)?$",
-    "frequency_offset": r"freq|^f$",
-    "amplitude": r"^amp",
-    "valid": r"valid",
-    "gyro_angle": r"gyro|^out|ausgang",
-}
-"""What a column's name without its unit matches, in lower case, by stem; the first one counts."""
-UNSURE_PATTERNS = {
-    "temperature": r"temp",
-    "amplitude": r"^a$",
-    "gyro_angle": r"omega|angle|winkel|rate",
-}
-"""Words of many quantities, matched likewise where no other column fits; such a guess is marked."""
-KINDS = {
-    **{"positions": "position|circ", "ring_down": "ring|^rd", "virtual_rotation": "virtual|^vr"},
-    **{"thermal": "therm", "amplitude": "ampl", "phase_step": "phase", "tumble": "tumbl"},
-    **{"manoeuvre": "man", "rate": "rate", "static": ""},
-}
-"""Kinds of tests, each with what the name of its log may match, in lower case."""
-USUAL_UNITS = {"s": "s", "deg": "deg", "rad": "rad", "deg_s": "deg/s", "m_s2": "m/s2"} | {
-    **{"degC": "degC", "per_s": "1/s", "Hz": "Hz", "": "1"}
-}
-"""Unit that is taken where a header names none, by the column's own unit."""
-UNIT_NAMES = {
-    **{"C": "degC", "°C": "degC", "°": "deg", "Grad": "deg", "Grad/s": "deg/s", "°/s": "deg/s"},
-    **{"°/h": "deg/h", "dps": "deg/s", "m/s^2": "m/s2", "m/s²": "m/s2", "V": "1", "mV": "1"},
-}
-"""Units as a laboratory may write them, by their names in a mapping; an amplitude in volts is a
-number of its scale."""
-KNOWN_UNITS = {*UNIT_NAMES, *RATE}.union(*BY_COLUMN_UNIT.values())
-"""Units that tell what a column is not."""
 TIME_FORMATS = tuple(
     f"{date}%H:%M:%S{fraction}" for date in ("", "%d.%m.%Y ") for fraction in ("", ".%f", ",%f")
 )
@@ -72,8 +36,12 @@ MAX_START_ANGLE = 1 * DEG
 """Largest difference of the first output angle and the table's, rad, of those that count from the
 same zero. Chosen: Earth's rate makes it in 4 minutes."""
 FREQUENCY_REMARK = "guessed: less nominal.frequency_Hz"
-NOMINAL_FREQUENCY = 7000.0
-"""Hz, where no log has the loop's frequency itself."""
+AMPLITUDE_REMARK = "guessed: 1 at the nominal amplitude"
+VOLTS = re.compile(r"\bm?v(/|_per_|_)s$|[_ \[(]m?v(/|_per_|_)s[\])]?$", re.IGNORECASE)
+"""End of the name, or the unit, of a force in volts per second."""
+VOLTS_REMARK = "V/s: state its scale"
+WRAP_PERIODS = (90.0, 180.0, 360.0)
+"""Periods by which a pattern angle may be wrapped, deg."""
 MIN_TABLE_TURN = 1 * DEG
 """Smallest range of a turntable's angle, rad, of a log that is not static. Chosen."""
 EVEN_STEP_TOLERANCE = 0.01
@@ -82,7 +50,8 @@ EVEN_STEP_TOLERANCE = 0.01
 BRACKETED = re.compile(r"(.*?)\s*[\[(](.*)[\])]\s*")
 """A name with its unit in brackets."""
 
-Value = str | float | bool
+Value = str | float | bool | tuple[tuple[str, int], ...]
+"""Value of a key; pairs are a table."""
 
 
 @dataclass(frozen=True)
@@ -97,6 +66,10 @@ class Guess:
     column: str
     keys: tuple[tuple[str, Value], ...]
     remark: str = ""
+
+    def read_values(self, sketch: Sketch) -> Array:
+        """(n,) numbers of the column; n is 0 where one is no number."""
+        return sketch.read_numbers(sketch.names.index(self.column))
 
     def get(self, key: str) -> Value | None:
         """The value of a key, None where the mapping has none."""
@@ -118,29 +91,13 @@ def guess_columns(sketch: Sketch) -> dict[str, Guess]:
     return _align_origins(sketch, guesses)
 
 
-def align_frequencies(guesses: Sequence[dict[str, Guess]]) -> float:
-    """Nominal frequency, Hz, of the gyro: that of the first log that has the loop's frequency, to
-    three digits. The offsets of all logs are set to it."""
-    nominal = 0.0
-    for own in guesses:
-        guess = own.get("frequency_offset")
-        if not guess or guess.remark != FREQUENCY_REMARK:
-            continue
-        factor = FREQUENCY[str(guess.get("unit"))].factor / FREQUENCY["Hz"].factor
-        keys = dict(guess.keys)
-        nominal = nominal or float(f"{-float(keys['offset']) * factor:.3g}")
-        keys["offset"] = -nominal / factor
-        own["frequency_offset"] = replace(guess, keys=tuple(keys.items()))
-    return nominal or NOMINAL_FREQUENCY
-
-
 def guess_kind(name: str, sketch: Sketch, guesses: Mapping[str, Guess]) -> str:
     """Kind of a test by its name; where that says none, by what the table did."""
     kind = next(kind for kind, pattern in KINDS.items() if re.search(pattern, name.lower()))
     table = guesses.get("table_angle")
     if kind != "static" or not table or table.get("unit") in RATE:
         return kind
-    values = sketch.read_numbers(sketch.names.index(table.column))
+    values = table.read_values(sketch)
     angle = np.unwrap(values[np.isfinite(values)] * ANGLE[str(table.get("unit"))].factor)
     if len(angle) < 2 or np.ptp(angle) < MIN_TABLE_TURN:
         return kind
@@ -164,7 +121,7 @@ def _align_origins(sketch: Sketch, guesses: dict[str, Guess]) -> dict[str, Guess
 
 def _read_first_angle(sketch: Sketch, guess: Guess) -> float:
     """First value of a column of angles, rad; 0 where it is none."""
-    values = sketch.read_numbers(sketch.names.index(guess.column))[:1]
+    values = guess.read_values(sketch)[:1]
     unit = ANGLE.get(str(guess.get("unit")))
     return float(values[0]) * unit.factor if unit and np.isfinite(values).any() else 0.0
 
@@ -191,12 +148,16 @@ def _guess_column(
         if is_other or not (re.search(pattern, bare) or is_clock):
             continue
         remark = "" if unit or not column.unit else "unit guessed"
+        if stem == "quadrature_force" and VOLTS.search(f"{name} {stated}".strip()):
+            remark = VOLTS_REMARK
         unit = unit or USUAL_UNITS[column.unit]
         keys: list[tuple[str, Value]] = [("unit", unit)] if column.unit else []
         if column.unit == "deg" and unit in RATE:
             keys.append(("integrate", "means"))
         turn = 0.0 if unit in RATE else TURN / units[unit].factor
         conversion, reason = _guess_conversion(stem, values, turn)
+        if not column.unit and len(values) == 0:
+            conversion = _guess_states(sketch, place)
         yield stem, Guess(name, (*keys, *conversion.items()), reason or remark)
 
 
@@ -217,12 +178,30 @@ def _guess_conversion(stem: str, values: Array, turn: float) -> tuple[dict[str, 
         return {"offset": -first}, FREQUENCY_REMARK
     is_amplitude = stem in ("amplitude", "amplitude_setpoint") and first > 0
     if is_amplitude and abs(first - 1) > AMPLITUDE_TOLERANCE:
-        return {"scale": float(f"{1 / first:.6g}")}, "guessed: 1 at the nominal amplitude"
+        return {"scale": float(f"{1 / first:.6g}")}, AMPLITUDE_REMARK
     if stem == "table_angle" and turn and np.max(steps) > turn / 2:
         return {"wraps_every": turn, "from_zero": True}, "guessed: it jumps by a turn"
+    if stem == "wave_angle" and turn and (wraps := _find_wrap(values * 360 / turn)):
+        return {"wraps_every": wraps * turn / 360}, "guessed: it jumps"
     if stem in ("time", "table_angle") and abs(first) > 2 * steps[0]:
         return {"from_zero": True}, ""
     return {}, ""
+
+
+def _find_wrap(angle: Array) -> float:
+    """Period by which a pattern angle, deg, jumps while it stays within it; 0 where it doesn't."""
+    known = angle[np.isfinite(angle)]
+    steps = np.abs(np.diff(known))
+    fits = (p for p in WRAP_PERIODS if np.ptp(known) <= p and np.max(steps, initial=0.0) > p / 2)
+    return next(fits, 0.0)
+
+
+def _guess_states(sketch: Sketch, place: int) -> dict[str, Value]:
+    """Numbers of the words in a column, where all are known."""
+    words = sorted({row[place] for row in sketch.rows if place < len(row) and row[place]})
+    if not words or not all(word.lower() in STATES for word in words):
+        return {}
+    return {"states": tuple((word, STATES[word.lower()]) for word in words)}
 
 
 def _find_time_format(text: str) -> str:

@@ -7,15 +7,15 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from pyhrg.records.campaign_import.column_mapping import BY_STEM
-from pyhrg.records.campaign_import.guesses import (
-    KINDS,
+from pyhrg.records.campaign_import.drafting.guesses import (
     Guess,
     Value,
-    align_frequencies,
     guess_columns,
     guess_kind,
 )
-from pyhrg.records.campaign_import.sketch import Sketch, read_sketch
+from pyhrg.records.campaign_import.drafting.header_words import KINDS
+from pyhrg.records.campaign_import.drafting.shared_units import align_amplitudes, align_frequencies
+from pyhrg.records.campaign_import.drafting.sketch import Sketch, read_sketch
 
 CONSTANTS = {"axis_up": "; 0 where the input axis is level and points east", "drive_on": ""}
 """Quantities that are taken to be 1 where they are not logged, with what else they may be."""
@@ -45,6 +45,16 @@ coriolis_factor = 0.277         # guessed: angular gain of the resonator
 decay_time_s = 450.0            # guessed
 """
 
+FITTED = 'role = "fit"   # or "holdout": verifies a diagnosis; neither fitted nor benched'
+HELD_OUT = 'role = "holdout"   # guessed: verifies a diagnosis; neither fitted nor benched'
+TOLERANCES = """\
+[tolerances]                    # how well values are known, one standard deviation each
+amplitude_scale = 0.01          # guessed: of what was logged in volts
+amplitude_force_scale = 0.01    # guessed
+quadrature_force_scale = 0.01   # guessed
+"""
+"""Lines where amplitudes are scaled."""
+
 
 def draft_mapping(files: Sequence[Path | str], folder: Path | str = ".") -> str:
     """The text of a mapping (docs/import.md) of these logs, with guesses marked; `folder` is where
@@ -57,6 +67,7 @@ def draft_mapping(files: Sequence[Path | str], folder: Path | str = ".") -> str:
     sketches = [read_sketch(path) for path in paths]
     guesses = [guess_columns(sketch) for sketch in sketches]
     frequency = f"frequency_Hz = {align_frequencies(guesses):.1f}           # guessed"
+    scale = align_amplitudes(sketches, guesses)
     layout, shared = sketches[0].layout, _share_guesses(guesses)
     lines = [_write_column(stem, guess) for stem, guess in shared.items()]
     lines += [
@@ -68,6 +79,7 @@ def draft_mapping(files: Sequence[Path | str], folder: Path | str = ".") -> str:
     head = "[columns]   # of all tests, but for what a test states"
     parts = [
         HEAD + frequency,
+        *([] if scale == 1 else [TOLERANCES]),
         _write_table("layout", layout),
         "\n".join([head, *constants, *lines]),
     ]
@@ -86,7 +98,7 @@ def _name_tests(paths: Sequence[Path]) -> list[str]:
     names: list[str] = []
     for path in paths:
         stem = Path(path.name.removesuffix(".gz")).stem
-        name = re.sub(r"[^A-Za-z0-9_-]+", "_", stem).strip("_-") or "log"
+        name = re.sub(r"[^A-Za-z0-9_-]+", "_", stem.replace("+", "plus")).strip("_-") or "log"
         again = sum(
             re.fullmatch(rf"{re.escape(name)}(_\d+)?", other) is not None for other in names
         )
@@ -108,11 +120,13 @@ def _draft_test(
     name: str, path: str, kind: str, own: Mapping[str, Guess], shared: Mapping[str, Guess]
 ) -> list[str]:
     lines = ["[[tests]]", f'id = "{name}"', f'kind = "{kind}"   # guessed']
-    lines.append('role = "fit"   # or "holdout": verifies a diagnosis; neither fitted nor benched')
+    lines.append(HELD_OUT if kind == "manoeuvre" else FITTED)
     lines.append(f"file = '{path}'")
     if "time" not in own:
         lines.append('interval_s = "edit"   # no column of times was found')
     absent = [f'"{stem}"' for stem in shared if stem not in {**own, **CONSTANTS}]
+    if "accel_z" in own and "axis_up" not in own:  # the accelerometers say where the axis points
+        absent.append('"axis_up"')
     return [*lines, f"absent = [{', '.join(absent)}]"] if absent else lines
 
 
@@ -142,6 +156,8 @@ def _write_column(stem: str, guess: Guess) -> str:
 def _write_value(value: Value) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
+    if isinstance(value, tuple):
+        return "{ " + ", ".join(f"'{word}' = {number}" for word, number in value) + " }"
     return f'"{value}"' if isinstance(value, str) else f"{value:.10g}"
 
 

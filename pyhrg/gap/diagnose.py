@@ -50,6 +50,8 @@ if TYPE_CHECKING:
 
 BEFORE_FILE, AFTER_FILE = "before.toml", "after.toml"
 """Device files of the nominal and of the identified device."""
+COLORS = {"before": "C1", "after": "C0"}
+"""Colors of matplotlib for the residual at each stage, those of the page."""
 FILES = (BEFORE_FILE, AFTER_FILE, *CLOSED_FILES, diagnosis_file.FILE)
 
 
@@ -146,7 +148,8 @@ class CampaignDiagnosis:
         if axes is None:
             axes = import_module("matplotlib.pyplot").subplots()[1]  # slow, and needed here alone
         for stage in ("before", "after"):
-            axes.plot(table["time_s"], table[f"gyro_angle_{stage}_arcsec"], label=stage, lw=0.8)
+            values = table[f"gyro_angle_{stage}_arcsec"]
+            axes.plot(table["time_s"], values, COLORS[stage], label=stage, lw=0.8)
         axes.set(title=test_id, xlabel="time, s", ylabel="residual of the output angle, arcsec")
         axes.legend()
         return axes
@@ -264,7 +267,7 @@ def _summarize(
     return Diagnosis(
         device,
         verdict,
-        causes,
+        tuple(sorted(causes, key=lambda cause: cause.is_within(bound))),
         unknown_probability,
         where=locate_gap(
             build_design(attribution.parts, stated_noise), measure_travels(attribution.parts)

@@ -25,6 +25,7 @@ from pyhrg.gap.soundness.fault import Fault, list_reading_faults
 from pyhrg.records.campaign import Campaign, CampaignError, Test
 from pyhrg.records.table import merge_sources
 
+CUT = "{}: rows from time_s {:g} on not compared: a free pattern multiplies any earlier turn"
 SOAKED = (
     "{}: the resonator had settled to {:.1f} degC before the log began, as the loop frequency shows"
 )
@@ -67,8 +68,8 @@ def prepare_campaign(
     nominal, notes = complete_stated_noise(simulation, nominal, to_fit)
     quantization = find_quantization(to_fit, nominal.quantization_step, noises)
     excluded += (*notes, *describe_reading_noise(noise))
-    observed = [_complete_test(simulation, nominal, test, noise) for test in observed]
-    excluded += _describe_soaked(observed)
+    whole, observed = observed, [_complete_test(simulation, nominal, t, noise) for t in observed]
+    excluded += (*_describe_soaked(observed), *_describe_cut(whole, observed))
     tests = list(add_noise_growth(observed, nominal))
     tests.sort(key=lambda test: test.test.is_holdout)
     faults = (*faults, *list_reading_faults(noise))
@@ -124,6 +125,16 @@ def _describe_soaked(observed: list[ObservedTest]) -> tuple[str, ...]:
     """A sentence on each test whose log begins with a resonator at the case's temperature."""
     tests = [t.test for t in observed if t.inputs.is_soaked]
     return tuple(SOAKED.format(t.id, t.log.temperature[0] - ZERO_CELSIUS) for t in tests)
+
+
+def _describe_cut(whole: list[ObservedTest], kept: list[ObservedTest]) -> tuple[str, ...]:
+    """A sentence on each test that ends where the angle of a free pattern is known no more."""
+    ends = [
+        (before.test.id, float(before.log.time[len(after.log.time)]))
+        for before, after in zip(whole, kept, strict=True)
+        if len(after.log.time) < len(before.log.time)
+    ]
+    return tuple(CUT.format(name, time) for name, time in ends)
 
 
 def _complete_test(

@@ -86,6 +86,10 @@ class Cause:
         """The effect and its equivalents."""
         return frozenset((self.effect, *self.equivalents))
 
+    def is_within(self, bound: Worth) -> bool:
+        """Whether all that it makes is within a bound."""
+        return self.worth is not None and not self.worth.exceeds(bound)
+
 
 @dataclass(frozen=True)
 class KnownValue:
@@ -177,6 +181,7 @@ class NextTest:
 class Diagnosis:
     """All that a diagnosis says.
 
+    causes: the immaterial ones last.
     unknown_probability: posterior probability that something outside the catalogue takes part.
     where: shares of the residual's excess power, the largest first.
     sizes: the gap in sigma, by test, channel and time scale.
@@ -208,7 +213,7 @@ class Diagnosis:
 
     def is_immaterial(self, cause: Cause) -> bool:
         """Whether all that a cause makes is within the bound."""
-        return cause.worth is not None and not cause.worth.exceeds(self.bound)
+        return cause.is_within(self.bound)
 
     @property
     def caveats(self) -> list[str]:

@@ -7,6 +7,7 @@ from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.common.pages.svg import format_interval, format_number
 from pyhrg.device.declarations import format_effect
 from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.effects.catalogue import KNOWN
 from pyhrg.gap.effects.linear_test import Group
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.findings.diagnosis import Cause
@@ -53,7 +54,8 @@ def _make_rows(cause: Cause, result: CampaignDiagnosis) -> list[tuple[str, ...]]
         low, high = (scale * end for end in cause.interval_95[parameter])
         text = format_interval(scale * value, low, high)
         equivalents = html.escape(", ".join(format_effect(e) for e in cause.equivalents) or "–")
-        name = html.escape(format_effect(cause.effect))
+        weight = " (immaterial)" if result.diagnosis.is_immaterial(cause) else ""
+        name = html.escape(f"{format_effect(cause.effect)}{weight}")
         effect = (f"<b>{name}</b>", format_percent(cause.probability))
         lead, last = (effect, (*makes, equivalents)) if i == 0 else (("", ""), ("", "", ""))
         rows.append((*lead, html.escape(words), text, format_number(nominal), unit, *last))
@@ -117,6 +119,7 @@ def _build_sets(result: CampaignDiagnosis) -> str:
 def _build_effects(result: CampaignDiagnosis) -> str:
     posterior = result.attribution.posterior
     names = {name for hypothesis in posterior.hypotheses for name in hypothesis.every_name}
+    names -= {effect.name for effect in KNOWN}  # causes by their tolerance, not by probability
     chances = [(posterior.probability(name), format_effect(name)) for name in names]
     chances += [(p, f"unnamed: {words}") for words, p in posterior.list_unnamed().items()]
     chances = sorted(chances, key=lambda chance: (-chance[0], chance[1]))[:LISTED_EFFECTS]

@@ -5,6 +5,7 @@ from collections.abc import Collection
 from pyhrg.device.declarations import format_effect
 from pyhrg.gap.effects.catalogue import EFFECTS
 from pyhrg.gap.findings.diagnosis import Diagnosis
+from pyhrg.gap.replay.observations import CHANNEL_WORDS
 from pyhrg.gap.report.terms import find_nearest, name_term
 from pyhrg.gap.report.words import format_name
 
@@ -29,6 +30,10 @@ USE = "{}: use them from now on."
 NOT_VERIFIED = (
     "{}, as these records show it. No other test has verified it: hold one out, then use it."
 )
+CHECK_RECORDS = (
+    "First check units and scales of the records, above all of the {}, where most of the gap is. "
+    "Then diagnose again."
+)
 CAVEATS = "Do not use after.toml and closed.fmu: see the caveats above."
 CONFOUNDED = (
     "after.toml and closed.fmu agree with these records, but have one of the confounded causes: "
@@ -45,6 +50,9 @@ def suggest_next_steps(diagnosis: Diagnosis, kinds: Collection[str]) -> list[str
     """Sentences on what to do next; kinds of tests: those that the laboratory has made."""
     test = diagnosis.next_test
     sentences = []
+    if not diagnosis.settled and diagnosis.where:
+        channel = CHANNEL_WORDS[diagnosis.where[0].channel]
+        sentences.append(CHECK_RECORDS.format(channel))
     if test:
         why = test.why.removesuffix(".")
         sentences.append(f"Next test: {format_name(test.kind)}, {test.hours:g} h: {why}.")

@@ -36,13 +36,18 @@ FAMILIES = {
 """Where a cause lies, in words."""
 MAX_PLACES, MIN_SHARE = 3, 0.05
 """Most places that are named, and the least share of the gap that a named place has (chosen)."""
+NOT_SETTLED = "Do not rely on this, the search did not converge. "
 UNNAMED_CAUSE = "a cause outside the catalogue"
 WIDTH, INDENT = 100, 14
 """Width of a line for the terminal, and of the column of the questions."""
 
 
 def write_headline(diagnosis: Diagnosis) -> str:
-    """The verdict in one sentence."""
+    """The verdict in one sentence, after a warning where the search did not converge."""
+    return f"{'' if diagnosis.settled else NOT_SETTLED}{_write_verdict(diagnosis)}"
+
+
+def _write_verdict(diagnosis: Diagnosis) -> str:
     material = [c for c in diagnosis.causes if not diagnosis.is_immaterial(c)]
     causes = material or list(diagnosis.causes)
     names, is_single = join_words([format_effect(c.effect) for c in causes]), len(causes) == 1
@@ -141,11 +146,15 @@ def _describe_worth(cause: Cause, diagnosis: Diagnosis) -> str:
 
 
 def _format_worth(worth: Worth) -> str:
-    return (
-        f"{format_number(worth.angle_arcsec)} arcsec, {format_number(worth.rate_deg_h)} deg/h "
-        f"({format_number(worth.document()['position_m'])} m after an hour) and "
-        f"{format_percent(worth.loop_share)} of the scale of another channel"
-    )
+    """Its sizes that are not zero."""
+    metres = format_number(worth.document()["position_m"])
+    rate = f"{format_number(worth.rate_deg_h)} deg/h ({metres} m after an hour)"
+    sizes = {
+        f"{format_number(worth.angle_arcsec)} arcsec": worth.angle_arcsec,
+        rate: worth.rate_deg_h,
+        f"{format_percent(worth.loop_share)} of the scale of another channel": worth.loop_share,
+    }
+    return join_words([words for words, size in sizes.items() if size]) or "nothing"
 
 
 def has_immaterial_cause(diagnosis: Diagnosis) -> bool:
@@ -218,7 +227,8 @@ def _describe_cause(cause: Cause, result: CampaignDiagnosis) -> str:
         instead = f", not {format_number(nominal)}" if nominal else ""
         number = f"{format_interval(scale * value, low, high)} {unit}".rstrip()
         values.append(f"{label}{number}{instead}")
-    return f"{_begin(format_effect(cause.effect))}: {'; '.join(values)}."
+    weight = " (immaterial)" if result.diagnosis.is_immaterial(cause) else ""
+    return f"{_begin(format_effect(cause.effect))}{weight}: {'; '.join(values)}."
 
 
 def _describe_residuals(diagnosis: Diagnosis) -> list[str]:

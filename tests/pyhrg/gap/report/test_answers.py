@@ -165,3 +165,11 @@ def test_the_closed_files_are_recommended_as_the_verdict_allows(
     diagnosis = replace(with_gap.diagnosis, verdict=verdict, settled=settled, gap=gap)
     answers = answer_questions(replace(with_gap, diagnosis=diagnosis))
     assert answers["What next"][-1].endswith(said)
+
+
+def test_a_search_that_did_not_converge_is_said_first(with_gap: CampaignDiagnosis) -> None:
+    result = replace(with_gap, diagnosis=replace(with_gap.diagnosis, settled=False))
+    headline = write_headline(result.diagnosis)
+    assert headline.startswith("Do not rely on this, the search did not converge. The gap is ")
+    first, *_ = answer_questions(result)["What next"]
+    assert first.startswith("First check units and scales of the records, above all of the output")

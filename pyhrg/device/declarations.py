@@ -50,8 +50,7 @@ class ToleranceDeclaration:
         family: see `Family`.
         scale: typical size of a change of it, SI; a sensitivity is taken over a share of it
             (docs/methods/effects.md, Eq. 1).
-        tolerance: one standard deviation of the true value about the stated one, SI; 0 where the
-            value is exact unless a campaign states a tolerance.
+        tolerance: one standard deviation of the true value about the stated one, SI.
         relative_tolerance: the same over the stated value; the larger of the two holds.
         angle, periods: see `EffectDeclaration`.
         imitators: names of other errors of the bench that do the same to a gyro in every test.

@@ -79,7 +79,10 @@ class Laboratory:
             frequency_offset=log.frequency_offset + errors["frequency_error"],
             gyro_angle=_read_late(log.gyro_angle, log.time, late),
             wave_angle=_read_late(log.wave_angle, log.time, late),
-            amplitude=_read_late(log.amplitude, log.time, errors["amplitude_latency"]),
+            amplitude=_read_late(log.amplitude, log.time, errors["amplitude_latency"])
+            * (1 + errors["amplitude_scale"]),
+            amplitude_force=log.amplitude_force * (1 + errors["amplitude_force_scale"]),
+            quadrature_force=log.quadrature_force * (1 + errors["quadrature_force_scale"]),
         )
 
     def record(self, log: Log, generator: np.random.Generator) -> Log:

@@ -257,24 +257,6 @@ class LoopAndBenchParameters(ResonatorParameters):
         tolerance=ToleranceDeclaration("amplitude_latency", "record", 1e-4, 1e-5),
     )
     """Time by which the amplitude is read later than one control period before a row's end, s."""
-    amplitude_scale: float = parameter(
-        key="amplitude_scale",
-        limits=(-0.5, 1),
-        tolerance=ToleranceDeclaration("amplitude_scale", "record", 0.01),
-    )
-    """Recorded amplitude over that which the set point asks for, less one."""
-    amplitude_force_scale: float = parameter(
-        key="amplitude_force_scale",
-        limits=(-0.5, 1),
-        tolerance=ToleranceDeclaration("amplitude_force_scale", "record", 0.01),
-    )
-    """Recorded amplitude force over the true one, less one."""
-    quadrature_force_scale: float = parameter(
-        key="quadrature_force_scale",
-        limits=(-0.5, 1),
-        tolerance=ToleranceDeclaration("quadrature_force_scale", "record", 0.01),
-    )
-    """Recorded quadrature force over the true one, less one."""
     table_tilt_east: float = parameter(
         key="table_axis_tilt_east_deg",
         unit=DEG,
@@ -285,3 +267,21 @@ class LoopAndBenchParameters(ResonatorParameters):
     )
     """Tilt of the table's upright axis to the east, rad, by which a level input axis points below
     the east. An error of the table's azimuth has the same effect."""
+    amplitude_scale: float = parameter(
+        key="amplitude_scale",
+        limits=(-0.5, 1),
+        tolerance=ToleranceDeclaration("amplitude_scale", "record", 0.01, 1e-5),
+    )
+    """Recorded amplitude over that which the set point asks for, less one."""
+    amplitude_force_scale: float = parameter(
+        key="amplitude_force_scale",
+        limits=(-0.5, 1),
+        tolerance=ToleranceDeclaration("amplitude_force_scale", "record", 0.01, 1e-5),
+    )
+    """Recorded amplitude force over the true one, less one."""
+    quadrature_force_scale: float = parameter(
+        key="quadrature_force_scale",
+        limits=(-0.5, 1),
+        tolerance=ToleranceDeclaration("quadrature_force_scale", "record", 0.01, 1e-5),
+    )
+    """Recorded quadrature force over the true one, less one."""

@@ -125,7 +125,7 @@ def _collect_effects() -> tuple[Effect, ...]:
 
 DETERMINISTIC = _collect_effects()
 """Effects that change a simulation without noise."""
-_KNOWN_OR_EXACT = tuple(
+KNOWN = tuple(
     Effect(
         k.name,
         (field, k.angle) if k.angle else (field,),
@@ -139,7 +139,6 @@ _KNOWN_OR_EXACT = tuple(
     for field, declaration in read_declarations(Device).items()
     if (k := declaration.tolerance)
 )
-KNOWN = tuple(effect for effect in _KNOWN_OR_EXACT if effect.tolerance or effect.relative_tolerance)
 """Nominal values, and properties of bench and record, that are known within a tolerance."""
 NOISES = tuple(
     NoiseEffect(declared.noise.name, field, declared.noise.scale)
@@ -180,13 +179,12 @@ class Catalogue:
         def is_stated(effect: Effect) -> bool:
             return effect.keys[0].name in tolerances
 
-        candidates = dict.fromkeys((*self.known, *_KNOWN_OR_EXACT, *self.effects))
         return Catalogue(
             tuple(effect for effect in self.effects if not is_stated(effect)),
             self.noises,
             (
                 *(effect for effect in self.known if not is_stated(effect)),
-                *(state(effect) for effect in candidates if is_stated(effect)),
+                *(state(effect) for effect in self.parameters if is_stated(effect)),
             ),
         )
 
@@ -204,5 +202,5 @@ FULL_CATALOGUE = Catalogue()
 EFFECT_NAMES = (*(effect.name for effect in DETERMINISTIC), *(noise.name for noise in NOISES))
 """Names of all effects and noises in the record format, in the order of the catalogue."""
 
-EFFECTS = {effect.name: effect for effect in (*DETERMINISTIC, *_KNOWN_OR_EXACT)}
+EFFECTS = {effect.name: effect for effect in (*DETERMINISTIC, *KNOWN)}
 NOISE_EFFECTS = {noise.name: noise for noise in NOISES}

@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import replace
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
@@ -175,3 +176,10 @@ def list_scale_steps(old: Device, new: Device) -> dict[str, float]:
     same."""
     steps = {name: getattr(new, own) - getattr(old, own) for name, own in SCALES.items()}
     return {name: step for name, step in steps.items() if step}
+
+
+@lru_cache(maxsize=16)
+def take_out_scales(device: Device) -> Device:
+    """The device with exact scales of its channels; the same object for equal devices."""
+    exact: dict[str, Any] = dict.fromkeys(SCALES.values(), 0.0)
+    return replace(device, **exact)

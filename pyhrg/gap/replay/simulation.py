@@ -25,10 +25,10 @@ from pyhrg.gap.replay.observations import (
 )
 from pyhrg.gap.replay.replay import (
     ANGLES,
-    SCALES,
     list_scale_steps,
     replay_inputs,
     scale_channels,
+    take_out_scales,
 )
 from pyhrg.gap.replay.sampled import choose_sampled_step, is_short, replay_sampled
 from pyhrg.theory.closed_forms import beyond_the_average
@@ -83,8 +83,8 @@ class Simulation:
 
     sampled: GyroFmu
     quasi_steady: GyroFmu
-    _cache: OrderedDict[tuple[int, int], tuple[Device, ReplayInputs, Sequence[ChannelValues]]] = (
-        field(default_factory=OrderedDict, init=False, repr=False, compare=False)
+    _cache: OrderedDict[tuple[int, int], tuple[object, object, Sequence[dict[str, Array]]]] = field(
+        default_factory=OrderedDict, init=False, repr=False, compare=False
     )
 
     def model(self, rows: int, interval: float) -> GyroFmu:
@@ -100,6 +100,12 @@ class Simulation:
         transient rows (docs/methods/replay.md, "Fidelity"). A `GyroError` where the FMU refuses
         parameters or inputs; so do the methods below.
         """
+        exact = take_out_scales(device)
+        (values,) = self._keep(exact, test, lambda: [self._simulate_exact(exact, test)])
+        return scale_channels(values, device)
+
+    def _simulate_exact(self, device: Device, test: ObservedTest) -> dict[str, Array]:
+        """`simulate` of a device whose recorder scales no channel."""
         if np.mean(test.transient) > MAX_TRANSIENT_SHARE:
             return replay_sampled(self.sampled, device, test.inputs)
         settled = self._run_with_phase_lag(device, test.inputs)
@@ -108,7 +114,7 @@ class Simulation:
         slopes = self.differentiate_by_angle(device, test).slopes
         shifted = {name: slopes[name] * turned for name in CHANNELS if name not in ANGLES}
         forced = apply_loop_response(corrected, device, test.log, test.log.amplitude_setpoint)
-        return add_channels(scale_channels(forced, device), shifted)
+        return add_channels(forced, shifted)
 
     def _run_with_phase_lag(self, device: Device, inputs: ReplayInputs) -> dict[str, Array]:
         """With quasi-steady loops, and the phase loop's lag behind a frequency that drifts."""
@@ -168,8 +174,7 @@ class Simulation:
         steps = [list_scale_steps(device, other) for other in others]
         if not any(steps):
             return differences
-        exact: dict[str, Any] = dict.fromkeys(SCALES.values(), 0.0)
-        read = self.simulate(replace(device, **exact), test)
+        read = self.simulate(take_out_scales(device), test)
         for change, own in zip(differences, steps, strict=True):
             change |= {name: change[name] + step * read[name] for name, step in own.items()}
         return differences
@@ -201,14 +206,25 @@ class Simulation:
     def _run_cached(self, device: Device, inputs: ReplayInputs) -> Sequence[ChannelValues]:
         """`_run_coarse` with the start angle shifted by `-ANGLE_SHIFT`, nothing and `ANGLE_SHIFT`,
         together; recent results are kept."""
-        key = id(device), id(inputs)
+        device = take_out_scales(device)
+        angles = (inputs.start_angle + shift for shift in (-ANGLE_SHIFT, 0.0, ANGLE_SHIFT))
+        runs = [(device, replace(inputs, start_angle=angle)) for angle in angles]
+        return self._keep(device, inputs, lambda: self._run_coarse(runs))
+
+    def _keep(
+        self, device: Device, given: object, compute: Callable[[], Sequence[dict[str, Array]]]
+    ) -> Sequence[dict[str, Array]]:
+        """What is computed of a device and of what is given, which are compared by identity;
+        recent results are kept."""
+        key = id(device), id(given)
         if key not in self._cache:
-            angles = (inputs.start_angle + shift for shift in (-ANGLE_SHIFT, 0.0, ANGLE_SHIFT))
-            runs = [(device, replace(inputs, start_angle=angle)) for angle in angles]
-            self._cache[key] = device, inputs, self._run_coarse(runs)
+            self._cache[key] = device, given, compute()
         answers = self._cache[key][-1]
-        while sum(3 * len(i.log.time) for _, i, _ in self._cache.values()) > MAX_CACHED_ROWS:
-            self._cache.popitem(last=False)
+        kept = (values for *_, kept in self._cache.values() for values in kept)
+        rows = sum(len(values["amplitude"]) for values in kept)
+        while rows > MAX_CACHED_ROWS:
+            *_, oldest = self._cache.popitem(last=False)[1]
+            rows -= sum(len(values["amplitude"]) for values in oldest)
         return answers
 
     def _run_coarse(

@@ -14,6 +14,7 @@ NOTHING_NEXT = {
     "unexplained": "Look at the residuals by coordinate below: no known form explains them.",
 }
 """What to do where there are no causes, no terms and no next test."""
+RESCALE = "Correct the scale of the recorded {}, or state its tolerance."
 REMEDIES = {
     "mounting_sign": "Turn the sign where it is recorded, or the gyro where it is mounted.",
     "drive_interruption": "Find out why the drive was lost, and repeat these tests.",
@@ -22,6 +23,9 @@ REMEDIES = {
     "time_jitter": "Let the recorder latch encoder and gyro at the same edge of its clock.",
     "lost_rows": "Check the recorder: it loses rows.",
     "outliers": "Check the recorder: it writes wrong readings.",
+    "amplitude_scale": RESCALE.format("amplitude"),
+    "amplitude_force_scale": RESCALE.format("amplitude force"),
+    "quadrature_force_scale": RESCALE.format("quadrature force"),
 }
 """What to do about a fault of bench or record."""
 DEVICE_FILES = "after.toml and closed.fmu are this gyro"

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from pyhrg.gap.diagnose import diagnose
-from pyhrg.gap.effects.catalogue import Catalogue
+from pyhrg.gap.effects.catalogue import EFFECTS, Catalogue
 from pyhrg.gap.findings.diagnosis import Diagnosis
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records import Log
@@ -54,3 +54,18 @@ def test_a_scale_beyond_its_tolerance_is_an_error_of_the_record(
     assert found.verdict == "explained"
     families = {cause.effect: cause.family for cause in found.causes}
     assert families == {"amplitude_force_scale": "record", "quadrature_force_scale": "record"}
+
+
+def test_a_scale_that_nobody_states_is_named(simulation: Simulation) -> None:
+    """A force 1 % low: not a smaller split."""
+    given = change_logs(
+        recorded(simulation.sampled, NOMINAL),
+        lambda log: replace(log, quadrature_force=0.99 * log.quadrature_force),
+    )
+    few = Catalogue((*FEW, EFFECTS["frequency_split"]))
+    found = diagnose(given, catalogue=few, simulation=simulation).diagnosis
+    assert found.verdict == "explained"
+    (cause,) = found.causes
+    assert (cause.effect, cause.family) == ("quadrature_force_scale", "record")
+    low, high = cause.interval_95["quadrature_force_scale"]
+    assert low < -0.01 < high

@@ -15,6 +15,7 @@ from pyhrg.gap.findings.diagnosis import (
 )
 from pyhrg.gap.findings.faults import list_fault_causes, list_tolerated_faults
 from pyhrg.gap.findings.term import Formula, Term
+from pyhrg.gap.replay.replay import SCALES
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.gap.report.next_steps import REMEDIES
 from pyhrg.gap.report.page import build_page
@@ -48,7 +49,7 @@ def test_faults_of_bench_and_record_are_told_with_what_to_do(
 
 
 def test_every_fault_has_a_remedy() -> None:
-    assert set(REMEDIES) == set(FAULT_NAMES)
+    assert set(REMEDIES) == {*FAULT_NAMES, *SCALES.values()}
 
 
 def test_page_and_terminal_begin_with_the_same_five_answers(

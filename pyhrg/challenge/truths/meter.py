@@ -20,6 +20,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD
 from pyhrg.gap.effects.catalogue import DETERMINISTIC, EFFECTS, NOISE_EFFECTS, Effect, NoiseEffect
+from pyhrg.gap.replay.carrier_terms import compute_carrier_terms
 from pyhrg.gap.replay.free_pattern import NOISE_GROWTH_LIMIT
 from pyhrg.gap.replay.inputs.inputs import ReplayInputs, prepare_inputs
 from pyhrg.gap.replay.observations import (
@@ -31,7 +32,7 @@ from pyhrg.gap.replay.observations import (
 )
 from pyhrg.gap.replay.replay import replay_inputs
 from pyhrg.gap.replay.sampled import is_short
-from pyhrg.gap.replay.simulation import Simulation, compute_carrier_terms
+from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.gap.whitening.whitening import NoiseModel, whiten
 from pyhrg.records import Log
 from pyhrg.records.campaign import Test

@@ -15,11 +15,11 @@ from pyhrg.gap.effects.coordinates import Coordinates
 from pyhrg.gap.effects.form import Form, build_form_columns, build_reading_columns
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.term_columns import build_term_columns
+from pyhrg.gap.replay.carrier_terms import compute_carrier_terms
 from pyhrg.gap.replay.inputs.table_steps import shape_rounding_errors
 from pyhrg.gap.replay.inputs.thermometer import estimate_thermometer_noise
 from pyhrg.gap.replay.observations import ObservedTest, see_angles
 from pyhrg.gap.replay.replay import list_read_out_fields
-from pyhrg.gap.replay.simulation import compute_carrier_terms
 from pyhrg.gap.soundness.origin import is_origin_set
 from pyhrg.gap.whitening.campaign_noise import CampaignNoise
 from pyhrg.gap.whitening.channel_noise import compute_temperature_slopes

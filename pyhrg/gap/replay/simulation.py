@@ -31,7 +31,6 @@ from pyhrg.gap.replay.replay import (
     take_out_scales,
 )
 from pyhrg.gap.replay.sampled import choose_sampled_step, is_short, replay_sampled
-from pyhrg.theory.closed_forms import beyond_the_average
 
 ChannelValues = Mapping[str, Array]
 """(n,) values in SI by field of a log."""
@@ -272,18 +271,6 @@ def _subtract(
 def add_channels(values: ChannelValues, difference: ChannelValues) -> dict[str, Array]:
     """Sum by channel; a channel that has no difference is unchanged."""
     return {name: own + difference.get(name, 0.0) for name, own in values.items()}
-
-
-def compute_carrier_terms(
-    device: Device, test: ObservedTest, wave_angle: Array
-) -> dict[str, Array]:
-    """(n,) row means by channel, SI, of the next order of the average (docs/methods/replay.md, Eq.
-    8), for the (n,) pattern angle at the rows' ends, rad. A record may contain them or not, so the
-    whitening counts them as noise of this shape."""
-    rate = test.inputs.table.means
-    to_middle = device.bryan_factor * rate * test.log.interval / 2
-    terms = beyond_the_average(device, rate, wave_angle + to_middle)
-    return {name: terms.get(name, np.zeros(len(rate))) for name in CHANNELS}
 
 
 def load_model(name: str, progress: Callable[[str], None] = lambda text: None) -> GyroFmu:

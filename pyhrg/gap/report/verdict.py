@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pyhrg.common.pages.svg import format_interval, format_number
 from pyhrg.device.declarations import format_effect
 from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.effects.catalogue import NOISE_EFFECTS
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, GapFigure, KnownValue, Worth
 from pyhrg.gap.findings.localisation import sum_shares
 from pyhrg.gap.findings.verdict import UNEXPLAINED_PROBABILITY
@@ -225,6 +226,8 @@ def _describe_cause(cause: Cause, result: CampaignDiagnosis) -> str:
         label = _label(words, cause.effect)
         nominal = scale * read_nominal_value(result.nominal, name)
         instead = f", not {format_number(nominal)}" if nominal else ""
+        if cause.effect in NOISE_EFFECTS and not nominal:
+            instead = ", where the nominal gyro states none"
         number = f"{format_interval(scale * value, low, high)} {unit}".rstrip()
         values.append(f"{label}{number}{instead}")
     weight = " (immaterial)" if result.diagnosis.is_immaterial(cause) else ""

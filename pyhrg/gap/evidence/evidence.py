@@ -154,7 +154,10 @@ def _compute_log_prior(
     magnitude = math.hypot(*values)
     log_norms = sum(map(math.log, norms))
     log_density += size * math.log(length / magnitude) - log_norms
-    return log_density - math.log1p(magnitude / group.scale if group.family == "gyro" else length)
+    over_typical = magnitude / group.scale
+    return log_density - math.log1p(
+        over_typical if group.family == "gyro" else min(over_typical, length)
+    )
 
 
 def compute_log_evidence(power: Array, size: int) -> Array:

@@ -56,16 +56,13 @@ def test_a_scale_beyond_its_tolerance_is_an_error_of_the_record(
     assert families == {"amplitude_force_scale": "record", "quadrature_force_scale": "record"}
 
 
-def test_a_scale_that_nobody_states_is_named(simulation: Simulation) -> None:
-    """A force 1 % low: not a smaller split."""
-    given = change_logs(
-        recorded(simulation.sampled, NOMINAL),
-        lambda log: replace(log, quadrature_force=0.99 * log.quadrature_force),
-    )
+def test_scales_that_nobody_states_are_named(simulation: Simulation, campaign: Campaign) -> None:
+    """A force that reads low is not a smaller split, one that reads high is no damping."""
     few = Catalogue((*FEW, EFFECTS["frequency_split"]))
-    found = diagnose(given, catalogue=few, simulation=simulation).diagnosis
+    found = diagnose(campaign, catalogue=few, simulation=simulation).diagnosis
     assert found.verdict == "explained"
-    (cause,) = found.causes
-    assert (cause.effect, cause.family) == ("quadrature_force_scale", "record")
-    low, high = cause.interval_95["quadrature_force_scale"]
-    assert low < -0.01 < high
+    intervals = {cause.effect: cause.interval_95[cause.effect] for cause in found.causes}
+    assert set(intervals) == {"amplitude_force_scale", "quadrature_force_scale"}
+    for name, true in (("amplitude_force_scale", 0.02), ("quadrature_force_scale", -0.01)):
+        low, high = intervals[name]
+        assert low < true < high

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -198,7 +198,7 @@ def diagnose(
     """
     report = Progress(progress).say
     require_extra("build")  # closed.fmu is built, and an FMU for each set of terms
-    if not all(0 <= limit < math.inf for limit in asdict(bound).values()):
+    if not all(0 <= limit < math.inf for limit in bound.sizes):
         raise HrgError(f"bound: found {bound}, expected numbers from 0 on")
     if not isinstance(campaign, Campaign):
         campaign = campaigns.read_campaign(Path(campaign), any_sign=True)

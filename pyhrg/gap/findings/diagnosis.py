@@ -43,16 +43,22 @@ class Worth:
     rate_deg_h: mean rate over a test.
     loop_share: rms in another channel over its scale: the nominal amplitude, 1/tau for forces, 1e-4
         of the nominal frequency.
+    loop_channel: that channel; empty of a bound.
     """
 
     angle_arcsec: float
     rate_deg_h: float
     loop_share: float
+    loop_channel: str = ""
+
+    @property
+    def sizes(self) -> tuple[float, float, float]:
+        """All sizes, in the order of the fields."""
+        return self.angle_arcsec, self.rate_deg_h, self.loop_share
 
     def exceeds(self, bound: "Worth") -> bool:
         """Whether any size is above the bound's."""
-        sizes, limits = asdict(self), asdict(bound)
-        return any(sizes[name] > limit for name, limit in limits.items())
+        return any(size > limit for size, limit in zip(self.sizes, bound.sizes, strict=True))
 
     def document(self) -> dict[str, Any]:
         """Sizes by name, and the position error after an hour that the rate makes by the usual

@@ -70,7 +70,8 @@ def _parse(index: TomlTable) -> Diagnosis:
 
 def _parse_worth(table: TomlTable) -> Worth:
     names = ("angle_arcsec", "rate_deg_h", "loop_share")
-    return Worth(*(table.finite_number(name) if table.values else 0.0 for name in names))
+    angle, rate, share = (table.finite_number(n) if table.values else 0.0 for n in names)
+    return Worth(angle, rate, share, table.text("loop_channel", ""))
 
 
 def _parse_cause(table: TomlTable) -> Cause:

@@ -43,6 +43,7 @@ def measure_leftover(attribution: Attribution, gap: Gap) -> Worth:
         max(terms.angle_arcsec, noise_angle / ARCSEC, *excess),
         max(terms.rate_deg_h, noise_rate / DEG_PER_H),
         terms.loop_share,
+        terms.loop_channel,
     )
 
 
@@ -67,10 +68,13 @@ def _measure(attribution: Attribution, before: Sizes, after: Sizes) -> Worth:
         for time, angle in angles
         if len(time) > 1 and time[-1] - time[0] >= MIN_RATE_TIME
     ]
+    shares = {name: _find_largest_rms(by_channel[name]) / scale for name, scale in scales.items()}
+    channel = max(shares, key=lambda name: shares[name])
     return Worth(
         _find_largest_rms(angles) / ARCSEC,
         max(rates, default=0.0) / DEG_PER_H,
-        max(_find_largest_rms(by_channel[name]) / scale for name, scale in scales.items()),
+        shares[channel],
+        channel,
     )
 
 

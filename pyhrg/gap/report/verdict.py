@@ -148,12 +148,13 @@ def _describe_worth(cause: Cause, diagnosis: Diagnosis) -> str:
 
 def _format_worth(worth: Worth) -> str:
     """Its sizes that are not zero."""
+    channel = CHANNEL_WORDS.get(worth.loop_channel, "other channels")
     metres = format_number(worth.document()["position_m"])
     rate = f"{format_number(worth.rate_deg_h)} deg/h ({metres} m after an hour)"
     sizes = {
         f"{format_number(worth.angle_arcsec)} arcsec": worth.angle_arcsec,
         rate: worth.rate_deg_h,
-        f"{format_percent(worth.loop_share)} of the scale of another channel": worth.loop_share,
+        f"{format_percent(worth.loop_share)} of the scale of the {channel}": worth.loop_share,
     }
     return join_words([words for words, size in sizes.items() if size]) or "nothing"
 

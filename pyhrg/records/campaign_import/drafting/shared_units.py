@@ -65,15 +65,8 @@ def align_amplitudes(sketches: Sequence[Sketch], guesses: Sequence[dict[str, Gue
 def _list_in_volts(sketch: Sketch, guesses: Mapping[str, Guess]) -> list[str]:
     """Stems of a log that have the unit of its amplitude: that, a set point near it, and a force
     that says so."""
-    names = {
-        stem: guesses[stem].column
-        for stem in ("amplitude", "amplitude_setpoint")
-        if stem in guesses
-    }
-    firsts = {
-        stem: sketch.read_numbers(sketch.names.index(name))[:1].sum()
-        for stem, name in names.items()
-    }
+    stems = [stem for stem in ("amplitude", "amplitude_setpoint") if stem in guesses]
+    firsts = {stem: float(guesses[stem].read_values(sketch)[:1].sum()) for stem in stems}
     amplitude = firsts.get("amplitude", 0.0)
     listed = [
         stem

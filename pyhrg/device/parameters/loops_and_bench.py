@@ -270,18 +270,18 @@ class LoopAndBenchParameters(ResonatorParameters):
     amplitude_scale: float = parameter(
         key="amplitude_scale",
         limits=(-0.5, 1),
-        tolerance=ToleranceDeclaration("amplitude_scale", "record", 0.01, 1e-5),
+        tolerance=ToleranceDeclaration("amplitude_scale", "record", 0.01, 1e-7),
     )
     """Recorded amplitude over that which the set point asks for, less one."""
     amplitude_force_scale: float = parameter(
         key="amplitude_force_scale",
         limits=(-0.5, 1),
-        tolerance=ToleranceDeclaration("amplitude_force_scale", "record", 0.01, 1e-5),
+        tolerance=ToleranceDeclaration("amplitude_force_scale", "record", 0.01, 1e-7),
     )
     """Recorded amplitude force over the true one, less one."""
     quadrature_force_scale: float = parameter(
         key="quadrature_force_scale",
         limits=(-0.5, 1),
-        tolerance=ToleranceDeclaration("quadrature_force_scale", "record", 0.01, 1e-5),
+        tolerance=ToleranceDeclaration("quadrature_force_scale", "record", 0.01, 1e-7),
     )
     """Recorded quadrature force over the true one, less one."""

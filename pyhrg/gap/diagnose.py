@@ -91,11 +91,11 @@ class CampaignDiagnosis:
         makes_deg_h (`Worth` of the cause; NaN of a noise or a fault in the rows).
         """
         rows = [
-            (c.effect, c.probability, name, value, *c.interval_95[name], c.equivalents, *makes)
+            (
+                *(c.effect, c.probability, name, value, *c.interval_95[name], c.equivalents),
+                *(c.worth.sizes[:2] if c.worth else (math.nan, math.nan)),
+            )
             for c in self.diagnosis.causes
-            for makes in [
-                (c.worth.angle_arcsec, c.worth.rate_deg_h) if c.worth else (math.nan, math.nan)
-            ]
             for name, value in c.parameters.items()
         ]
         columns = ("effect", "probability", "parameter", "value", "low_95", "high_95")

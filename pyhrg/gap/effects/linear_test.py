@@ -19,7 +19,7 @@ from pyhrg.gap.replay.carrier_terms import compute_carrier_terms
 from pyhrg.gap.replay.inputs.table_steps import shape_rounding_errors
 from pyhrg.gap.replay.inputs.thermometer import estimate_thermometer_noise
 from pyhrg.gap.replay.observations import ObservedTest, see_angles
-from pyhrg.gap.replay.replay import list_read_out_fields
+from pyhrg.gap.replay.recorder import list_read_out_fields
 from pyhrg.gap.soundness.origin import is_origin_set
 from pyhrg.gap.whitening.campaign_noise import CampaignNoise
 from pyhrg.gap.whitening.channel_noise import compute_temperature_slopes

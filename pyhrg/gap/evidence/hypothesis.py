@@ -212,10 +212,8 @@ def rank_roughly(
     wrong in each channel of each test (Eq. (10)): it counts as noise."""
     channel_noise, model_error = _estimate_errors(noise, nominal, parts)
     error = {where: linearization_error + power for where, power in model_error.items()}
-    whole, tolerances = (
-        build_design(parts, channel_noise, model_error),
-        _list_tolerances(nominal, parts),
-    )
+    whole = build_design(parts, channel_noise, model_error)
+    tolerances = _list_tolerances(nominal, parts)
     rough = KnownParameters(discount_model_error(whole, error), tolerances)
     exact = KnownParameters(whole, tolerances)
     return Hypothesis(noise, channel_noise, rough, rank_sets(rough.marginal), exact)

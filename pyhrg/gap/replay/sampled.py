@@ -7,7 +7,8 @@ from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
 from pyhrg.gap.replay.inputs.inputs import ReplayInputs
 from pyhrg.gap.replay.observations import FINE_ROW
-from pyhrg.gap.replay.replay import replay_together, scale_channels
+from pyhrg.gap.replay.recorder import scale_channels
+from pyhrg.gap.replay.replay import replay_together
 
 STEPS_PER_ROW = 100
 """Communication steps of the sampled gyro in a row, where the row has so many control periods.

@@ -12,7 +12,6 @@ from fmu_build.bundle import build_fmu
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.gap.replay import replay as replays
 from pyhrg.gap.replay.inputs.inputs import ReplayInputs
 from pyhrg.gap.replay.loop_response import FORCES, apply_loop_response
 from pyhrg.gap.replay.observations import (
@@ -23,13 +22,15 @@ from pyhrg.gap.replay.observations import (
     ObservedTest,
     compute_settling_time,
 )
-from pyhrg.gap.replay.replay import (
+from pyhrg.gap.replay.recorder import (
     ANGLES,
+    list_read_out_fields,
     list_scale_steps,
-    replay_inputs,
+    read_change,
     scale_channels,
     take_out_scales,
 )
+from pyhrg.gap.replay.replay import replay_inputs, replay_together
 from pyhrg.gap.replay.sampled import choose_sampled_step, is_short, replay_sampled
 
 ChannelValues = Mapping[str, Array]
@@ -166,7 +167,7 @@ class Simulation:
         differences = []
         for other, is_read_out in pairs:
             if is_read_out:
-                last = add_channels(first, replays.read_change(first, device, other, test.log))
+                last = add_channels(first, read_change(first, device, other, test.log))
             else:
                 last = next(runs)
             differences.append(_subtract(first, last, device, other, test))
@@ -181,7 +182,7 @@ class Simulation:
     def _is_read_out(self, device: Device, other: Device, test: ObservedTest) -> bool:
         """Whether one run gives the outputs of both devices."""
         is_quasi_steady = not is_short(len(test.log.time), test.log.interval)
-        read_out = replays.list_read_out_fields(test.log)
+        read_out = list_read_out_fields(test.log)
         unseen = (*read_out, *(LOOP_FIELDS if is_quasi_steady else ()))
         kept: dict[str, Any] = {name: getattr(device, name) for name in unseen}
         return replace(other, **kept) == device
@@ -236,12 +237,12 @@ class Simulation:
         log = runs[0][1].log
         if is_short(len(log.time), log.interval):
             step = choose_sampled_step(log.interval, STEPS_PER_FINE_ROW)
-            return replays.replay_together(self.sampled, runs, step)
+            return replay_together(self.sampled, runs, step)
         if not log.drive_on.all():  # a free pattern turns fast
             step = QUASI_STEADY_STEP
         else:
             step = log.interval / STEPS_PER_FINE_ROW if log.interval < FINE_ROW else COARSE_STEP
-        return replays.replay_together(self.quasi_steady, runs, step)
+        return replay_together(self.quasi_steady, runs, step)
 
 
 def _find_sections(transient: Mask, apart: int) -> list[slice]:

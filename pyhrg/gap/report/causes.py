@@ -7,7 +7,6 @@ from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.common.pages.svg import format_interval, format_number
 from pyhrg.device.declarations import format_effect
 from pyhrg.gap.diagnose import CampaignDiagnosis
-from pyhrg.gap.effects.catalogue import KNOWN
 from pyhrg.gap.effects.linear_test import Group
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.findings.diagnosis import Cause
@@ -46,7 +45,7 @@ def build_causes(result: CampaignDiagnosis) -> str:
 
 def _make_rows(cause: Cause, result: CampaignDiagnosis) -> list[tuple[str, ...]]:
     rows: list[tuple[str, ...]] = []
-    sizes = (cause.worth.angle_arcsec, cause.worth.rate_deg_h) if cause.worth else ()
+    sizes = cause.worth.sizes[:2] if cause.worth else ()
     makes = [*map(format_number, sizes)] or ["", ""]
     for i, (parameter, value) in enumerate(cause.parameters.items()):
         words, unit, scale = parse_parameter(parameter)
@@ -119,7 +118,8 @@ def _build_sets(result: CampaignDiagnosis) -> str:
 def _build_effects(result: CampaignDiagnosis) -> str:
     posterior = result.attribution.posterior
     names = {name for hypothesis in posterior.hypotheses for name in hypothesis.every_name}
-    names -= {effect.name for effect in KNOWN}  # causes by their tolerance, not by probability
+    known = posterior.best.exact.effects  # causes by their tolerance, not by this probability
+    names -= {effect.name for effect in known}
     chances = [(posterior.probability(name), format_effect(name)) for name in names]
     chances += [(p, f"unnamed: {words}") for words, p in posterior.list_unnamed().items()]
     chances = sorted(chances, key=lambda chance: (-chance[0], chance[1]))[:LISTED_EFFECTS]

@@ -37,7 +37,7 @@ MAX_START_ANGLE = 1 * DEG
 same zero. Chosen: Earth's rate makes it in 4 minutes."""
 FREQUENCY_REMARK = "guessed: less nominal.frequency_Hz"
 AMPLITUDE_REMARK = "guessed: 1 at the nominal amplitude"
-VOLTS = re.compile(r"\bm?v(/|_per_|_)s$|[_ \[(]m?v(/|_per_|_)s[\])]?$", re.IGNORECASE)
+VOLTS = re.compile(r"[_ \[(]m?v(/|_per_|_)s[\])]?$", re.IGNORECASE)
 """End of the name, or the unit, of a force in volts per second."""
 VOLTS_REMARK = "V/s: state its scale"
 WRAP_PERIODS = (90.0, 180.0, 360.0)

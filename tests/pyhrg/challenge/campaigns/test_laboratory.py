@@ -10,7 +10,7 @@ from pyhrg.common.units import HZ
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import KNOWN
 from pyhrg.gap.replay.inputs.inputs import prepare_inputs
-from pyhrg.gap.replay.replay import read_change
+from pyhrg.gap.replay.recorder import read_change
 from tests.pyhrg.records.made_up import made_up_log
 
 ROWS = 1500

@@ -7,7 +7,7 @@ import pytest
 
 from pyhrg.common.units import DEG
 from pyhrg.gap.replay.observations import CHANNELS, observe_test
-from pyhrg.gap.replay.replay import SCALES
+from pyhrg.gap.replay.recorder import SCALES
 from pyhrg.gap.replay.simulation import Simulation
 from tests.pyhrg.gap.replay.test_simulation import QUIET, programme, record_log
 

@@ -15,7 +15,7 @@ from pyhrg.gap.findings.diagnosis import (
 )
 from pyhrg.gap.findings.faults import list_fault_causes, list_tolerated_faults
 from pyhrg.gap.findings.term import Formula, Term
-from pyhrg.gap.replay.replay import SCALES
+from pyhrg.gap.replay.recorder import SCALES
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.gap.report.next_steps import REMEDIES
 from pyhrg.gap.report.page import build_page

@@ -3,9 +3,9 @@
 import json
 import shutil
 from collections.abc import Callable
-from dataclasses import asdict, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -175,7 +175,8 @@ def predict(folder: Path, document: dict[str, Any], log: str = "ride.csv.gz") ->
 
 
 def cause(effect: str, **parameters: float) -> dict[str, Any]:
-    return asdict(Cause(effect, 1.0, parameters))
+    (table,) = replace(GIVEN, causes=(Cause(effect, 1.0, parameters),)).document()["causes"]
+    return cast(dict[str, Any], table)
 
 
 BAD_DIAGNOSES: list[tuple[dict[str, Any], str]] = [

@@ -61,7 +61,7 @@ def test_lost_words_and_a_coarse_thermometer_make_no_gap(
         spoilt_by_recorder = change_logs(spoilt_by_recorder, added(spark, field), test)
     found = diagnose(spoilt_by_recorder, simulation=simulation).diagnosis
     assert found.verdict == "no_gap"
-    assert len(found.excluded) == len(SPARKS)
+    assert sum("expected" in told for told in found.excluded) == len(SPARKS)
 
 
 def test_a_noisy_encoder_makes_no_gap(simulation: Simulation, recorded_campaign: Path) -> None:
@@ -71,10 +71,10 @@ def test_a_noisy_encoder_makes_no_gap(simulation: Simulation, recorded_campaign:
         change_logs(given, lambda log: noisy(log, generator)), simulation=simulation
     ).diagnosis
     assert found.verdict == "no_gap"
-    (told,) = found.excluded
-    scatter = re.match(r"table_angle_deg: scatters by (\S+) arcsec where the gyro", told)
-    assert scatter
-    assert float(scatter[1]) == pytest.approx(1, rel=0.02)
+    (scatter,) = re.findall(
+        r"table_angle_deg: scatters by (\S+) arcsec where the gyro", "\n".join(found.excluded)
+    )
+    assert float(scatter) == pytest.approx(1, rel=0.02)
 
 
 def test_a_step_of_the_angle_is_told(simulation: Simulation, recorded_campaign: Path) -> None:

@@ -191,16 +191,34 @@ def _assign_columns(
 def _assemble(columns: Mapping[Group, NDArray[np.int64]], blocks: Sequence[Block]) -> Design:
     count = sum(map(len, columns.values()))
     total, projection, power = np.zeros((count, count)), np.zeros(count), 0.0
-    for block in blocks:
-        gram = block.gram / (1 + block.model_error)
-        total[np.ix_(block.columns, block.columns)] += gram[:-1, :-1]
-        projection[block.columns] += gram[:-1, -1]
-        power += float(gram[-1, -1])
+    for channel in CHANNELS:
+        own = [block for block in blocks if block.channel == channel]
+        _add_products(total, own)
+        for block in own:
+            scale = 1 / (1 + block.model_error)
+            projection[block.columns] += scale * block.gram[:-1, -1]
+            power += scale * float(block.gram[-1, -1])
     norms = np.sqrt(np.diag(total))
     norms[norms < MIN_NORM] = 0.0
     unit = np.divide(1.0, norms, out=np.zeros(count), where=norms > 0)
     gram = total * np.outer(unit, unit)
     return Design(gram, projection * unit, power, columns, norms, tuple(blocks))
+
+
+def _add_products(total: Array, blocks: Sequence[Block]) -> None:
+    """Add the products of one channel's columns in all tests to those of the design: what all tests
+    have in the same columns is summed first."""
+    where = np.array([block.columns for block in blocks])
+    is_shared = (where == where[0]).all(axis=0)
+    shared = where[0][is_shared]
+    summed = np.zeros((len(shared), len(shared)))
+    for block in blocks:
+        gram = block.gram[:-1, :-1] / (1 + block.model_error)
+        summed += gram[np.ix_(is_shared, is_shared)]
+        own = block.columns[~is_shared]
+        total[np.ix_(own, block.columns)] += gram[~is_shared]
+        total[np.ix_(shared, own)] += gram[np.ix_(is_shared, ~is_shared)]
+    total[np.ix_(shared, shared)] += summed
 
 
 def select_groups(design: Design, groups: Sequence[Group]) -> Design:

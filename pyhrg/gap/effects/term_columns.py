@@ -5,7 +5,7 @@ the pick-off shows, and a force is as wrong as the drive (docs/methods/effects.m
 """
 
 from collections.abc import Callable, Iterator, Mapping
-from functools import partial
+from functools import cache, partial
 
 import numpy as np
 
@@ -78,6 +78,7 @@ def compute_response(
     return np.asarray(sum(own, np.zeros(len(where.pattern_angle))))
 
 
+@cache
 def _make_term(
     channel: str, coordinate: str, function: str, harmonic: int | None = None, prefix: str = ""
 ) -> CandidateTerm:

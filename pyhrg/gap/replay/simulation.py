@@ -217,14 +217,14 @@ class Simulation:
         """What is computed of a device and of what is given, which are compared by identity;
         recent results are kept."""
         key = id(device), id(given)
-        if key not in self._cache:
-            self._cache[key] = device, given, compute()
-        answers = self._cache[key][-1]
-        kept = (values for *_, kept in self._cache.values() for values in kept)
-        rows = sum(len(values["amplitude"]) for values in kept)
+        if key in self._cache:
+            return self._cache[key][-1]
+        answers = compute()
+        self._cache[key] = device, given, answers
+        rows = sum(_count_rows(kept) for *_, kept in self._cache.values())
         while rows > MAX_CACHED_ROWS:
             *_, oldest = self._cache.popitem(last=False)[1]
-            rows -= sum(len(values["amplitude"]) for values in oldest)
+            rows -= _count_rows(oldest)
         return answers
 
     def _run_coarse(
@@ -243,6 +243,10 @@ class Simulation:
         else:
             step = log.interval / STEPS_PER_FINE_ROW if log.interval < FINE_ROW else COARSE_STEP
         return replay_together(self.quasi_steady, runs, step)
+
+
+def _count_rows(answers: Sequence[ChannelValues]) -> int:
+    return sum(len(values["amplitude"]) for values in answers)
 
 
 def _find_sections(transient: Mask, apart: int) -> list[slice]:

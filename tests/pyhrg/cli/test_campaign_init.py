@@ -238,6 +238,22 @@ def test_logs_in_volts_share_one_scale(tmp_path: Path) -> None:
     )
 
 
+def test_numbers_and_words_for_nothing_are_missing_values(tmp_path: Path) -> None:
+    """Nines far beyond a column's other values; 999 deg on the way of an angle are a value."""
+    rows = [[t, 9.99 * t, -2.77 * t, 20] for t in range(1, 120)]
+    rows[5][3], rows[6][3], rows[7][2] = -9999, "n/a", "-9999.0"
+    text = "".join(f"{','.join(map(str, row))}\n" for row in rows)
+    (tmp_path / "log.csv").write_text("t [s],gyro [deg],pattern [deg],T [C]\n" + text)
+    draft = draft_mapping([tmp_path / "log.csv"], tmp_path)
+    assert "missing = ['-9999', '-9999.0', 'n/a']   # guessed: no value" in draft
+    (tmp_path / "mapping.toml").write_text(draft)
+    fill_in(tmp_path / "mapping.toml")
+    log = import_campaign(tmp_path / "mapping.toml").campaign.tests[0].log
+    assert np.flatnonzero(np.isnan(log.temperature)).tolist() == [5, 6]
+    assert np.flatnonzero(np.isnan(log.wave_angle)).tolist() == [7]
+    assert np.max(log.gyro_angle) / DEG > 999
+
+
 def test_a_log_that_begins_again_is_refused(tmp_path: Path) -> None:
     seconds = [*range(1, 50), *range(1, 40)]
     rows = "".join(f"{t},0.1,{i}\n" for i, t in enumerate(seconds))

@@ -80,7 +80,7 @@ def draft_mapping(files: Sequence[Path | str], folder: Path | str = ".") -> str:
     parts = [
         HEAD + frequency,
         *([] if scale == 1 else [TOLERANCES]),
-        _write_table("layout", layout),
+        _write_table("layout", layout) + _write_missing(sketches),
         "\n".join([head, *constants, *lines]),
     ]
     for name, path, sketch, own in zip(_name_tests(paths), paths, sketches, guesses, strict=True):
@@ -91,6 +91,14 @@ def draft_mapping(files: Sequence[Path | str], folder: Path | str = ".") -> str:
             lines.append(_write_table("tests.layout", values))
         parts.append("\n".join([*lines, *_draft_columns(sketch, own, shared)]))
     return "\n".join(f"{part.rstrip()}\n" for part in parts)
+
+
+def _write_missing(sketches: Sequence[Sketch]) -> str:
+    """A line on the texts that seem to stand for a missing value in any log; empty where there are
+    none."""
+    texts = sorted(set[str]().union(*(sketch.placeholders for sketch in sketches)))
+    listed = ", ".join(f"'{text}'" for text in texts)
+    return f"\nmissing = [{listed}]   # guessed: no value" if texts else ""
 
 
 def _name_tests(paths: Sequence[Path]) -> list[str]:

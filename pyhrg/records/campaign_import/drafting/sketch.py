@@ -3,7 +3,7 @@
 import re
 from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -11,13 +11,20 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.common.reading.files import decode, read_unpacked
-from pyhrg.records.campaign_import.layout import SEPARATORS
+from pyhrg.records.campaign_import.layout import SEPARATORS, Layout
 from pyhrg.records.columns import LogError
 
 COMMENTS = ("#", "%", "!", "//")
 """Beginnings of a first line that is a comment; the first one stands where none is found."""
 SEARCHED = ("semicolon", "tab", "bar", "comma")
 """Separators in the order in which a row of values is searched for them; else it is `space`."""
+
+NINES = re.compile(r"[-+]?9{3,}([.,]0*)?")
+"""Numbers that stand for a missing value."""
+NOTHING = re.compile(r"n/?a|null|none|missing|-{1,3}|\?", re.IGNORECASE)
+"""Words that do."""
+PLACEHOLDER_RATIO = 3.0
+"""Ratio of such a number to the largest other value of its column. Chosen."""
 
 
 @dataclass(frozen=True)
@@ -28,19 +35,22 @@ class Sketch:
     names: of the columns, from the header.
     units: from a row of units below the header, as many; empty texts where there is none.
     rows: cells of each row of values.
+    placeholders: texts that seem to stand for a missing value, such as -9999.
     """
 
     layout: dict[str, str]
     names: tuple[str, ...]
     units: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
+    placeholders: frozenset[str]
 
     def read_numbers(self, place: int) -> Array:
-        """(n,) values of a column; n is 0 where one is no number."""
-        texts = [row[place] if place < len(row) else "" for row in self.rows]
+        """(n,) values of a column, without missing ones; n is 0 where one is no number."""
+        texts = [row[place] for row in self.rows if place < len(row)]
+        known = [t for t in texts if t not in self.placeholders and t.lower() not in Layout.missing]
         is_comma = "comma" in self.layout["decimal"]
         try:
-            return np.array([float(t.replace(",", ".") if is_comma else t) for t in texts])
+            return np.array([float(t.replace(",", ".") if is_comma else t) for t in known])
         except ValueError:
             return np.empty(0)
 
@@ -75,7 +85,25 @@ def read_sketch(path: Path) -> Sketch:
     if len(named) > 1:
         layout["lines_after_header"] = "1"
     units = rows[named[1]] if len(named) > 1 else [""] * len(rows[-1])
-    return Sketch(layout, tuple(rows[named[0]]), tuple(units), tuple(map(tuple, rows[head:])))
+    values = tuple(map(tuple, rows[head:]))
+    plain = Sketch(layout, tuple(rows[named[0]]), tuple(units), values, frozenset())
+    return replace(plain, placeholders=_find_placeholders(plain))
+
+
+def _find_placeholders(sketch: Sketch) -> frozenset[str]:
+    """Texts of nothing but nines, in columns of numbers that are all far smaller; and words for
+    nothing."""
+    texts = {text for row in sketch.rows for text in row}
+    words = {text for text in texts if NOTHING.fullmatch(text)}
+    plain = replace(sketch, placeholders=frozenset(words))
+    for nines in sorted(text for text in texts if NINES.fullmatch(text)):
+        value = abs(float(nines.replace(",", ".")))
+        places = {i for row in sketch.rows for i, text in enumerate(row) if text == nines}
+        sizes = [np.sort(np.abs(plain.read_numbers(place))) for place in places]
+        others = [size[size < value] for size in sizes]
+        if all(len(o) and o[-1] < value / PLACEHOLDER_RATIO for o in others):
+            words.add(nines)
+    return frozenset(words)
 
 
 def _decode(path: Path) -> tuple[str, str]:

@@ -39,10 +39,11 @@ def recorded(simulation: Simulation, kind: str, seed: int, duration: float = HOU
 def test_it_is_estimated_at_rest_whatever_the_gap(simulation: Simulation) -> None:
     """Mean of seeds 0 to 3 within a tenth, four standard errors of an hour's random walk."""
     tests = [recorded(simulation, "static", seed) for seed in range(4)]
-    gyro, (note,) = complete_stated_noise(simulation, BELIEVED, tests)
+    gyro, notes = complete_stated_noise(simulation, BELIEVED, tests)
     assert gyro.angle_white_noise == pytest.approx(WHITE, rel=0.1)
     assert gyro.angle_random_walk == pytest.approx(WALK, rel=0.1)
-    assert "states no noise of the output angle" in note
+    noises = ("white noise of the output angle", "angle random walk")
+    assert [note.partition(",")[0] for note in notes] == [f"nominal: states no {n}" for n in noises]
     assert replace(gyro, angle_white_noise=0.0, angle_random_walk=0.0) == BELIEVED
 
 
@@ -60,6 +61,19 @@ def test_what_is_stated_stays(simulation: Simulation) -> None:
         stated,
         (),
     )
+
+
+def test_white_noise_that_a_maker_leaves_out_is_estimated_beside_the_stated_walk(
+    simulation: Simulation,
+) -> None:
+    """Mean of seeds 0 to 3; the walk stays as it is stated. A maker who states no noise of a
+    reading does not say that there is none."""
+    stated = replace(BELIEVED, angle_random_walk=WALK)
+    tests = [recorded(simulation, "static", seed) for seed in range(4)]
+    gyro, (note,) = complete_stated_noise(simulation, stated, tests)
+    assert gyro.angle_white_noise == pytest.approx(WHITE, rel=0.1)
+    assert gyro.angle_random_walk == WALK
+    assert note.startswith("nominal: states no white noise of the output angle, which is taken")
 
 
 def warmed(test: ObservedTest, change: float) -> ObservedTest:

@@ -21,7 +21,7 @@ protected
 equation
   when tick then
     case = caseTemperature - referenceTemperature;
-    temperature = pre(temperature) + approach*(case + selfHeating - pre(temperature));
+    temperature = pre(temperature) + pre(started)*approach*(case + selfHeating - pre(temperature));
     gradient = pre(started)*(case - temperature);
     temperatureRate = pre(started)*(case - pre(case))/samplePeriod;
     age = pre(age) + samplePeriod*pre(started);

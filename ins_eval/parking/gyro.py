@@ -7,13 +7,13 @@ curvature, pitch and roll. The heading is not known at power-on, so the map coun
 to both sides.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
 
-from ins_eval.imu.gyros import GyroOutput, resolve_force_in_case, simulate_gyro, with_start_up
+from ins_eval.imu.gyros import GyroOutput, resolve_force_in_case, simulate_together, with_start_up
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.calibration.calibration import apply_maps, calibrate_once
@@ -138,20 +138,24 @@ class MappedGyro:
             return self.bias_map.mean
         return float(self.bias(np.array(pattern_angle)))
 
-    def flight(
-        self, truth: Increments, axis: int, start: float | None, with_maps: bool
-    ) -> GyroOutput:
-        """Output from power-on, with the same noise each time.
+    def set_up(self, start: float | None, with_maps: bool) -> Bench:
+        """The gyro as it is flown, with the same noise each time.
 
-        axis: of the body, along which the gyro is mounted; start: angle at which the pattern starts
-        as well as power-on angles repeat, rad; None is the gyro's own.
+        start: angle at which the pattern starts as well as power-on angles repeat, rad; None is the
+        gyro's own.
         """
         device = self.calibrated if with_maps else self.bench.device
         if start is not None:
             device = replace(device, power_on_angle=start)
-        bench = replace(self.bench, device=with_start_up(device))
-        force = resolve_force_in_case(truth, np.eye(3)[axis])
-        return simulate_gyro(bench, truth.rotation[:, axis], force, truth.interval)
+        return replace(self.bench, device=with_start_up(device))
+
+
+def fly_together(
+    benches: Sequence[Bench], axes: Sequence[int], truth: Increments
+) -> list[GyroOutput]:
+    """Outputs from power-on of gyros that are mounted along these axes of the body."""
+    forces = [resolve_force_in_case(truth, np.eye(3)[axis]) for axis in axes]
+    return simulate_together(benches, truth.rotation[:, axes], forces, truth.interval)
 
 
 def measure_maps(bench: Bench, plan: Plan | None = None) -> MappedGyro:

@@ -2,14 +2,14 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
 
 import numpy as np
 
 from ins_eval.imu.gyros import GyroOutput
 from ins_eval.mission_model.missions import STILL
-from ins_eval.parking.gyro import ANGLES, CASES, LIMIT, Case, Known, MappedGyro, Start
+from ins_eval.parking.gyro import ANGLES, CASES, LIMIT, Case, Known, MappedGyro, Start, fly_together
 from ins_eval.parking.mission import INTERVAL, Mission, find_ready_time
+from pyhrg.bench.bench import Bench
 from pyhrg.common.arrays import Array
 from pyhrg.records.imu.log import Increments
 
@@ -48,27 +48,41 @@ def fly_triad(gyros: Sequence[MappedGyro], velocity: Array, mission: Mission) ->
 
     velocity: (n, 3) increments of the accelerometers, m/s.
     """
-    angles = {
-        start: [find(each.bias) for each in gyros[:VERTICAL]] for start, find in ANGLES.items()
-    }
-
-    @cache
-    def flight(axis: int, start: Start, with_maps: bool) -> GyroOutput:
-        angle = None if start is Start.AS_IT_COMES else angles[start][axis]
-        return gyros[axis].flight(mission.truth.increments, axis, angle, with_maps)
-
+    flown = _fly_all(gyros, mission.truth.increments)
     radial, heading, ready = [], [], []
     for case in CASES:
-        flights = [flight(axis, *_choose_start(axis, case)) for axis in range(3)]
+        flights = [flown[axis, *_choose_start(axis, case)] for axis in range(3)]
         measured = _measure(gyros, flights, velocity, case)
         begin = max(find_ready_time(each.ready) for each in flights)
         error = mission.fly(measured, begin)
         radial.append(np.hypot(error[:, 0], error[:, 1]))
         heading.append(mission.heading_error(measured, begin))
         ready.append(begin + STILL)
-    flights = [flight(axis, *_choose_start(axis, LIMIT)) for axis in range(3)]
+    flights = [flown[axis, *_choose_start(axis, LIMIT)] for axis in range(3)]
     start_up = _start_up(gyros, flights, velocity, mission)
     return TriadFlights(np.stack(radial), np.array(heading), np.array(ready), start_up)
+
+
+def _fly_all(
+    gyros: Sequence[MappedGyro], truth: Increments
+) -> dict[tuple[int, Start, bool], GyroOutput]:
+    """Outputs by axis, start and whether the maps are in the electronics."""
+    groups = [
+        [(axis, Start.AS_IT_COMES, False) for axis in range(3)],
+        [(axis, start, False) for start in ANGLES for axis in range(VERTICAL)],
+        [(axis, Start.AS_IT_COMES, True) for axis in range(3)],
+    ]
+    flown: dict[tuple[int, Start, bool], GyroOutput] = {}
+    for group in groups:
+        benches = [_set_up(gyros[axis], start, with_maps) for axis, start, with_maps in group]
+        outputs = fly_together(benches, [axis for axis, _, _ in group], truth)
+        flown |= dict(zip(group, outputs, strict=True))
+    return flown
+
+
+def _set_up(gyro: MappedGyro, start: Start, with_maps: bool) -> Bench:
+    angle = None if start is Start.AS_IT_COMES else ANGLES[start](gyro.bias)
+    return gyro.set_up(angle, with_maps)
 
 
 def _choose_start(axis: int, case: Case) -> tuple[Start, bool]:
@@ -101,7 +115,7 @@ def _start_up(
     rest, before = round(STILL / INTERVAL), round(RUNNING / INTERVAL)
     rows = np.arange(-before, rest).clip(min=0)
     longer = Increments(INTERVAL, truth.rotation[rows], truth.velocity[rows], -STILL - RUNNING)
-    early = [gyro.flight(longer, axis, None, True) for axis, gyro in enumerate(gyros)]
+    early = fly_together([gyro.set_up(None, True) for gyro in gyros], range(3), longer)
     running = np.stack([flight.rotation[before:] for flight in early], axis=-1)
     started = _measure(gyros, flights, velocity, LIMIT)
     errors = [mission.heading_error(Increments(INTERVAL, running, velocity[:rest], -STILL))]

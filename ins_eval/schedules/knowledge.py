@@ -82,10 +82,13 @@ def measure_rotation_map(bench: Bench, rate: float = 1 * DEG) -> BenchMap:
     """(TERMS,) error of a gyro at rest per virtual rotation, by half a turn of the pattern each
     way at a rate, rad/s."""
     duration = float(np.ceil(np.pi / (bench.device.bryan_factor * rate))) + SETTLING_ROWS
-    rows, errors = [], []
-    for way, sign in (("pos", 1.0), ("neg", -1.0)):
+    signs, power_ons = {"pos": 1.0, "neg": -1.0}, []
+    for way, sign in signs.items():
         course = bench.programme().command(virtual_rotation=sign * rate).rest(duration)
-        log = bench.log(PowerOn(f"rotation_{way}", "virtual_rotation", course)).log
+        power_ons.append(PowerOn(f"rotation_{way}", "virtual_rotation", course))
+    rows, errors = [], []
+    for test, sign in zip(bench.log_all(power_ons), signs.values(), strict=True):
+        log = test.log
         pattern = log.wave_angle[SETTLING_ROWS:]
         at = evaluate_terms(0.5 * (pattern[1:] + pattern[:-1]))
         errors.append(np.diff(log.gyro_angle[SETTLING_ROWS:]) / log.interval)

@@ -9,6 +9,7 @@ force, accelerometers or mounting.
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -53,6 +54,7 @@ class TurningWeights:
     noise: Array
 
 
+@cache
 def compute_turning_weights(pattern_rate: float) -> TurningWeights:
     """Weights of `DURATION` of navigation in which the pattern of the vertical gyro turns at a
     rate, rad/s, after an alignment at rest."""

@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 from scipy.optimize import brentq, nnls
+from scipy.special import ndtr
 from scipy.stats import norm
 
 from pyhrg.common.arrays import Array
@@ -161,8 +162,8 @@ def compute_critical_ratio(distance: float) -> float:
         return float(norm.isf(1 - CONFIDENCE)) ** 2
 
     def uncovered(ratio: float) -> float:
-        below = norm.cdf(-(distance**2 + ratio) / (2 * distance))
-        return float(norm.sf(math.sqrt(ratio)) + below - (1 - CONFIDENCE))
+        below = ndtr(-(distance**2 + ratio) / (2 * distance))
+        return float(ndtr(-math.sqrt(ratio)) + below - (1 - CONFIDENCE))
 
     return float(brentq(uncovered, distance**2, NORMAL_QUANTILE**2))
 

@@ -167,12 +167,12 @@ def write_log(log: Log, path: Path) -> None:
     """
     columns = [c for c in COLUMNS if np.isfinite(getattr(log, c.field)).any()]
     values = [(getattr(log, c.field) - c.offset) / c.factor for c in columns]
-    form = ",".join(f"%.{c.digits}g" for c in columns)
+    line = ",".join(f"%.{c.digits}g" for c in columns) + "\n"
     rows = zip(*(v.tolist() for v in values), strict=True)
-    lines = [",".join(c.name for c in columns), *(form % row for row in rows)]
-    data = "".join(f"{line}\n" for line in lines).encode()
+    names = ",".join(c.name for c in columns) + "\n"
+    data = (names + "".join(map(line.__mod__, rows))).encode()
     write_whole(
-        path, gzip.compress(data, compresslevel=6, mtime=0) if path.suffix == ".gz" else data
+        path, gzip.compress(data, compresslevel=4, mtime=0) if path.suffix == ".gz" else data
     )
 
 

@@ -73,8 +73,7 @@ def shuffle_devices(
     chosen = _draw_derangements(len(flown), DRAWS, np.random.default_rng(seed))
     parts = []
     for rows in _split_rows(chosen, [flown, *predicted]):
-        same = np.broadcast_to(flown, (len(rows), *flown.shape))
-        parts.append(statistic(same, *(sample[rows] for sample in predicted)))
+        parts.append(statistic(flown[np.newaxis], *(sample[rows] for sample in predicted)))
     values = np.concatenate(parts)
     return _make_estimate(float(np.mean(values)), values)
 

@@ -249,5 +249,5 @@ def _compute_tail(value: Array, excess: Array, freedom: int) -> Array:
     near = special.chndtr(
         np.minimum(total, NORMAL_SQUARE), freedom, np.minimum(beyond, 2 * NORMAL_SQUARE)
     )
-    far = stats.norm.cdf(np.sqrt(total) - np.sqrt(beyond + freedom))
+    far = special.ndtr(np.sqrt(total) - np.sqrt(beyond + freedom))
     return np.asarray(1 - np.where(total < NORMAL_SQUARE, near, far))

@@ -10,7 +10,7 @@ import pandas as pd
 import pytest
 from numpy.typing import NDArray
 
-from ins_eval.study import conclusion
+from ins_eval.study import conclusion, lead
 from ins_eval.study.conclusion import list_files, write_conclusion
 from ins_eval.study.experiment import (
     NOISELESS,
@@ -98,6 +98,18 @@ def test_triads_are_the_same_in_any_block(three: Arrays) -> None:
     assert alone.keys() == three.keys()
     for name, values in alone.items():
         np.testing.assert_allclose(three[name][1:2], values, rtol=1e-9, err_msg=name)
+
+
+def test_the_lead_case_flies_beside_the_triads_of_its_numbers(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Cut short; the bench's figures are with the first."""
+    monkeypatch.setattr(lead, "HOURS", 0.1)
+    study = replace(STUDY, lead=1, calibrations=("mean",), missions=STUDY.missions[:1])
+    first, second = (compute_block(study, range(number, number + 1)) for number in range(2))
+    assert first["lead/flown"].shape[0] == first["lead/bench"].shape[0] == 1
+    assert np.isfinite(first["lead/flown"]).all()
+    assert not any(name.startswith("lead/") for name in second)
 
 
 def test_one_row_a_triad_calibration_and_mission(table: pd.DataFrame) -> None:

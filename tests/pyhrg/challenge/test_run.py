@@ -119,7 +119,7 @@ def test_an_interrupted_challenge_ends_at_once_and_goes_on(tmp_path: Path) -> No
     with pytest.raises(KeyboardInterrupt):
         Challenge(folder, SETTINGS, is_interrupted).run(2)
     assert time.monotonic() - begun < 300
-    Challenge(folder, SETTINGS, says_no_gap).run(2)
+    Challenge(folder, SETTINGS, says_no_gap).run(1)
     assert files(tmp_path) == done
 
 

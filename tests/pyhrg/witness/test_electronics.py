@@ -28,7 +28,7 @@ from tests.pyhrg.witness.flights import (
     record_flight,
 )
 
-FLIGHTS, DURATION = 6, 600.0
+FLIGHTS, DURATION = 4, 600.0
 CHANGES = [draw_changes(PRIOR, np.random.default_rng(seed)) for seed in range(FLIGHTS)]
 CHANGE = [f"controller.estimator.change[{place}]" for place in (1, 2, 3)]
 STATES = ["controller.estimator.correction", *CHANGE, "mapFollowed"]

@@ -27,7 +27,7 @@ from tests.pyhrg.witness.flights import (
     fly,
 )
 
-FLIGHTS, DURATION = 6, 600.0
+FLIGHTS, DURATION = 4, 600.0
 DRIFTS = np.diag(PRIOR.covariance) > 0
 
 

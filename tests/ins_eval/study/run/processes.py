@@ -12,6 +12,9 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from ins_eval.study.run import block
+from ins_eval.study.run.run import Experiment
+from ins_eval.study.specification import Study
 from tests.ins_eval.study.run import cheap
 
 ROOT = Path(__file__).parents[4]
@@ -145,3 +148,15 @@ def contents(folder: Path) -> dict[str, bytes]:
     """Of all files, by name."""
     files = (path for path in folder.rglob("*") if path.is_file())
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in files}
+
+
+def undisturbed(study: Study, experiment: Experiment, folder: Path) -> dict[str, bytes]:
+    """What the study gives without workers or interruptions."""
+    folder.mkdir()
+    made = [
+        experiment.compute(study, block.list_triads(study, n))
+        for n in range(block.count_blocks(study))
+    ]
+    experiment.conclude(study, block.join_blocks(made), folder)
+    (folder / "identity.json").write_text(block.identify_study(study).text)
+    return contents(folder)

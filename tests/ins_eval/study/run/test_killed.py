@@ -9,8 +9,6 @@ import pytest
 
 from ins_eval.study import study_file
 from ins_eval.study.run import block
-from ins_eval.study.run.block import identify_study
-from ins_eval.study.specification import Study
 from tests.ins_eval.study import cases
 from tests.ins_eval.study.run import cheap
 from tests.ins_eval.study.run.processes import (
@@ -19,6 +17,7 @@ from tests.ins_eval.study.run.processes import (
     said,
     scheduler,
     study_command,
+    undisturbed,
     worker,
 )
 
@@ -34,17 +33,6 @@ def gate() -> Iterator[Gate]:
 @pytest.fixture
 def file(tmp_path: Path) -> Path:
     return cases.study_file(tmp_path)
-
-
-def undisturbed(study: Study, folder: Path) -> dict[str, bytes]:
-    """What the study gives without workers or interruptions."""
-    folder.mkdir()
-    made = [
-        cheap.made(study, block.list_triads(study, n)) for n in range(block.count_blocks(study))
-    ]
-    cheap.conclude(study, block.join_blocks(made), folder)
-    (folder / "identity.json").write_text(identify_study(study).text)
-    return contents(folder)
 
 
 def test_killed_command_goes_on_from_what_it_kept(file: Path, tmp_path: Path, gate: Gate) -> None:
@@ -64,7 +52,9 @@ def test_killed_command_goes_on_from_what_it_kept(file: Path, tmp_path: Path, ga
         again = gate.pass_all(BLOCKS - 1)
         assert run.wait(60) == 0
     assert sorted([second.number, *again]) == list(range(BLOCKS))
-    assert contents(out) == undisturbed(study_file.read_study(file), tmp_path / "undisturbed")
+    assert contents(out) == undisturbed(
+        study_file.read_study(file), cheap.CHEAP, tmp_path / "undisturbed"
+    )
 
 
 def test_command_killed_in_its_conclusion_does_no_block_again(
@@ -82,7 +72,9 @@ def test_command_killed_in_its_conclusion_does_no_block_again(
     with study_command(file, out, "--workers", "1", environment=environment) as run:
         assert gate.pass_all(1) == [last]
         assert run.wait(60) == 0
-    assert contents(out) == undisturbed(study_file.read_study(file), tmp_path / "undisturbed")
+    assert contents(out) == undisturbed(
+        study_file.read_study(file), cheap.CHEAP, tmp_path / "undisturbed"
+    )
 
 
 def test_terminated_command_says_how_to_go_on(file: Path, tmp_path: Path, gate: Gate) -> None:
@@ -130,7 +122,9 @@ def test_cluster_that_loses_its_workers_goes_on(file: Path, tmp_path: Path, gate
             passed = gate.pass_all(BLOCKS - 1)
             assert run.wait(60) == 0
     assert sorted([first, *passed]) == list(range(BLOCKS))
-    assert contents(out) == undisturbed(study_file.read_study(file), tmp_path / "undisturbed")
+    assert contents(out) == undisturbed(
+        study_file.read_study(file), cheap.CHEAP, tmp_path / "undisturbed"
+    )
 
 
 def test_killed_command_goes_on_with_the_same_cluster(
@@ -152,7 +146,9 @@ def test_killed_command_goes_on_with_the_same_cluster(
     assert first not in passed
     assert set(passed) | {first, under_way.number} == set(range(BLOCKS))
     assert len(passed) <= BLOCKS + 1
-    assert contents(out) == undisturbed(study_file.read_study(file), tmp_path / "undisturbed")
+    assert contents(out) == undisturbed(
+        study_file.read_study(file), cheap.CHEAP, tmp_path / "undisturbed"
+    )
 
 
 def test_block_that_kills_its_workers_is_named(file: Path, tmp_path: Path, gate: Gate) -> None:

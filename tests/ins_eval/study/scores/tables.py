@@ -1,5 +1,7 @@
 """Tables of studies that were never flown but on paper."""
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
 import pandas as pd
 
@@ -12,14 +14,19 @@ CLASSES = {"car": (11, 12), "ship": (13,)}
 """Their missions, by seed."""
 
 
-def table(count: int, spread: float = 1.0, seed: int = 2) -> pd.DataFrame:
-    """One calibration and role: triads whose maps are wide by this factor, in three missions."""
+SHIPS = {"ship": CLASSES["ship"]}
+
+
+def table(
+    count: int, spread: float = 1.0, seed: int = 2, classes: Mapping[str, Sequence[int]] = CLASSES
+) -> pd.DataFrame:
+    """One calibration and role: triads whose maps are wide by this factor, in each mission."""
     wide = spread * cases.SPREAD
     training = cases.triads(1, 300, wide)
     learnt = block.train(training, *cases.SHEETS)
     triads = cases.triads(seed, count, wide)
     parts = []
-    for name, seeds in CLASSES.items():
+    for name, seeds in classes.items():
         for number in seeds:
             weights = cases.mission(number)
             parts_of_error = compute_linear_position_errors(triads, weights, mission=0)

@@ -9,7 +9,7 @@ import pytest
 from ins_eval.study.scores.score_flights import score_flights
 from ins_eval.study.tables import columns, score
 from ins_eval.study.tables.score import ALL, SCORES, Score
-from tests.ins_eval.study.scores.tables import CLASSES, table
+from tests.ins_eval.study.scores.tables import CLASSES, SHIPS, table
 
 
 @pytest.fixture(scope="module")
@@ -67,8 +67,7 @@ def test_claims_have_requirements(judged: list[Score]) -> None:
 def test_too_few_triads_do_not_show_that_nothing_is_ranked() -> None:
     """An interval that is wider than the bound decides nothing, though it holds 0."""
     for count, verdict in ((12, "undecided"), (150, "holds")):
-        flights = table(count)
-        ship = flights[flights[columns.CLASS] == "ship"]
+        ship = table(count, classes=SHIPS)
         rank = _one(score_flights(ship, seed=7), score.SPEARMAN, "fixed_rule", "ship")
         assert (rank.asked, rank.verdict) == ("within 0.2 of 0", verdict)
         assert rank.low < 0 < rank.high
@@ -76,7 +75,9 @@ def test_too_few_triads_do_not_show_that_nothing_is_ranked() -> None:
 
 def test_coverage_is_held_to_the_level_asked(flown: pd.DataFrame) -> None:
     """Intervals of 90 % are no intervals of 50 %."""
-    found = _one(score_flights(flown, seed=7, inside=0.5), score.COVERAGE, "fitted_map")
+    ships = flown[flown[columns.CLASS] == "ship"]
+    judged = score_flights(ships, seed=7, inside=0.5)
+    found = _one(judged, score.COVERAGE, "fitted_map", "ship")
     assert (found.asked, found.verdict) == ("0.5 within its interval", "fails")
 
 
@@ -92,8 +93,8 @@ def test_shuffled_devices_show_nothing(judged: list[Score]) -> None:
 
 def test_where_noise_dominates_no_map_predicts() -> None:
     """Maps a thousand times smaller than noise and the bench's fit."""
-    found = score_flights(table(60, spread=1e-3), seed=7)
-    assert _one(found, score.R2_RADIAL, "fitted_map").verdict == "fails"
+    found = score_flights(table(60, spread=1e-3, classes=SHIPS), seed=7)
+    assert _one(found, score.R2_RADIAL, "fitted_map", "ship").verdict == "fails"
 
 
 def test_order_of_rows_is_no_matter(flown: pd.DataFrame, judged: list[Score]) -> None:

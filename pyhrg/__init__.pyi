@@ -3,8 +3,9 @@ from .challenge.run import run_challenge
 from .common.errors import HrgError
 from .device.device import Device
 from .device.ready_devices import load_device
+from .gap.campaign_diagnosis import CampaignDiagnosis
 from .gap.closing.prediction import predict
-from .gap.diagnose import CampaignDiagnosis, diagnose
+from .gap.diagnose import diagnose
 from .gap.findings.diagnosis_reader import read_diagnosis
 from .gap.static_record import compute_allan, diagnose_record
 from .noise.allan import allan_deviation

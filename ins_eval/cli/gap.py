@@ -13,7 +13,7 @@ from pyhrg.common.errors import HrgError
 from pyhrg.common.files import check_output_folder
 
 if TYPE_CHECKING:
-    from pyhrg.gap.diagnose import CampaignDiagnosis
+    from pyhrg.gap.campaign_diagnosis import CampaignDiagnosis
     from pyhrg.gap.report.sections import Section
 
 HELP = "find the causes of the gap between a gyro's records and its simulation"

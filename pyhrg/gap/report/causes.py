@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.common.pages.svg import format_interval, format_number
 from pyhrg.device.declarations import format_effect
-from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.campaign_diagnosis import CampaignDiagnosis
 from pyhrg.gap.effects.linear_test import Group
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.findings.diagnosis import Cause

@@ -4,7 +4,7 @@ import numpy as np
 
 from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.common.pages.svg import Scale, find_decades, format_interval, format_number
-from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.campaign_diagnosis import CampaignDiagnosis
 from pyhrg.gap.findings.diagnosis import Gap, GapFigure
 from pyhrg.gap.report.words import build_table
 

@@ -14,7 +14,7 @@ from pyhrg.common.pages.markup import (
     make_paragraph,
     read_asset,
 )
-from pyhrg.gap.diagnose import FILES, CampaignDiagnosis
+from pyhrg.gap.campaign_diagnosis import FILES, CampaignDiagnosis
 from pyhrg.gap.report.causes import build_causes, build_ranking
 from pyhrg.gap.report.closing import build_closing
 from pyhrg.gap.report.places import build_places, build_scales

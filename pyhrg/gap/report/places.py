@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.common.pages.svg import format_number
-from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.campaign_diagnosis import CampaignDiagnosis
 from pyhrg.gap.findings.localisation import Place, sum_shares
 from pyhrg.gap.findings.quantity import Size
 from pyhrg.gap.replay.observations import CHANNEL_WORDS

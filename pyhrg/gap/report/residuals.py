@@ -8,7 +8,7 @@ import numpy as np
 
 from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import make_choice, make_paragraph
-from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.campaign_diagnosis import CampaignDiagnosis
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95
 from pyhrg.gap.findings.localisation import sum_shares
 from pyhrg.gap.report.closing import NOT_VERIFIED

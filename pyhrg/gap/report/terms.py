@@ -8,13 +8,13 @@ from typing import NamedTuple
 
 from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.common.pages.svg import format_interval, format_number
+from pyhrg.gap.campaign_diagnosis import CampaignDiagnosis
 from pyhrg.gap.closing.equation.proposal import (
     Coefficient,
     as_candidate,
     list_coefficients,
     list_written,
 )
-from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.findings.term import Term
 from pyhrg.gap.report.words import (
     PARTS,

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 from pyhrg.common.pages.svg import format_interval, format_number
 from pyhrg.device.declarations import format_effect
-from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.campaign_diagnosis import CampaignDiagnosis
 from pyhrg.gap.effects.catalogue import NOISE_EFFECTS
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, GapFigure, KnownValue, Worth
 from pyhrg.gap.findings.localisation import sum_shares

@@ -17,7 +17,7 @@ from pyhrg.bench.catalogue import PROCEDURES
 from pyhrg.bench.reporting.result import PAGE, BenchResults, TestFailure
 from pyhrg.common.cli import main
 from pyhrg.common.pages.markup import make_choice, make_paragraph
-from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.campaign_diagnosis import CampaignDiagnosis
 from pyhrg.gap.report.page import build_page
 from pyhrg.gap.static_record.report.allan_page import build_allan_page
 from pyhrg.gap.static_record.report.page import build_page as build_record_page

@@ -18,8 +18,9 @@ from pyhrg.common.errors import HrgError
 from pyhrg.common.units import ARCSEC, DEG, HZ
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
+from pyhrg.gap.campaign_diagnosis import CampaignDiagnosis
 from pyhrg.gap.closing.prediction import predict
-from pyhrg.gap.diagnose import CampaignDiagnosis, diagnose
+from pyhrg.gap.diagnose import diagnose
 from pyhrg.gap.effects.catalogue import EFFECTS, Catalogue
 from pyhrg.gap.evidence.rounds.iteration import attribute_gap
 from pyhrg.gap.replay.observations import ObservedTest, observe_test

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from pyhrg.common.arrays import Array
-from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.campaign_diagnosis import CampaignDiagnosis
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95
 from pyhrg.gap.findings.localisation import sum_shares
 from pyhrg.gap.report.figures.strips import Band, Labels, Size, Strip, draw_strips

@@ -11,7 +11,8 @@ from pyhrg.device import device_file
 from pyhrg.device.device import Device
 from pyhrg.device.keys import KEYS
 from pyhrg.fmu import GyroFmu
-from pyhrg.gap.diagnose import CampaignDiagnosis, diagnose
+from pyhrg.gap.campaign_diagnosis import CampaignDiagnosis
+from pyhrg.gap.diagnose import diagnose
 from pyhrg.gap.effects.catalogue import EFFECTS, Catalogue
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records import Log

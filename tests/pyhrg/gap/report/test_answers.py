@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pyhrg.common.units import ARCSEC
-from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.campaign_diagnosis import CampaignDiagnosis
 from pyhrg.gap.findings.diagnosis import (
     Verdict,
     Worth,

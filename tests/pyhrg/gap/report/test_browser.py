@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.campaign_diagnosis import CampaignDiagnosis
 from pyhrg.gap.report.figures.panels import compute_panels
 from pyhrg.gap.report.figures.views import VIEWS
 from pyhrg.gap.report.page import build_page

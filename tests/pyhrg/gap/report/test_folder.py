@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from pyhrg.gap.diagnose import FILES, CampaignDiagnosis
+from pyhrg.gap.campaign_diagnosis import FILES, CampaignDiagnosis
 from pyhrg.gap.report import page
 from pyhrg.gap.report.sections import Section
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.campaign_diagnosis import CampaignDiagnosis
 from pyhrg.gap.evidence.noise.noise_hypothesis import UnnamedNoise
 from pyhrg.gap.evidence.posterior import Posterior
 from pyhrg.gap.findings.diagnosis import (

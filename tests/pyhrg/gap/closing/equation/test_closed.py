@@ -12,13 +12,14 @@ import pytest
 from fmu_build import build_fmu, check_fmu
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H
 from pyhrg.fmu import GyroFmu
+from pyhrg.gap.campaign_diagnosis import CampaignDiagnosis
 from pyhrg.gap.closing.equation.closed_class import write_class
 from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu, put_terms
 from pyhrg.gap.closing.equation.places import find_acting
 from pyhrg.gap.closing.equation.proposal import Coefficient, list_coefficients
 from pyhrg.gap.closing.equation.refinement import estimate_missed
 from pyhrg.gap.closing.prediction import predict
-from pyhrg.gap.diagnose import CampaignDiagnosis, diagnose
+from pyhrg.gap.diagnose import diagnose
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Catalogue
 from pyhrg.gap.effects.jump import Jump, make_bias_jump

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pyhrg.common.units import ARCSEC, DEG_PER_H
-from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.campaign_diagnosis import CampaignDiagnosis
 from pyhrg.gap.findings.diagnosis import GapFigure
 from pyhrg.gap.report.closing import compute_reduction_interval
 from pyhrg.gap.report.figures.panels import ALL, compute_panels

@@ -48,6 +48,9 @@ CONVERTER = {
 """Zero turns them off: else readings or outputs are steps or clipped, and move with nothing."""
 
 RESTING = {
+    "caseTemperature",
+    "resonator.environment.thermalLag",
+    "resonator.environment.selfHeating",
     "pickOff.feedthrough",
     "pickOff.gainPerGradient",
     "pickOff.gainAgeing",
@@ -62,9 +65,10 @@ RESTING = {
     "flicker.gainMismatch",
     "flicker.phaseError",
 }
-"""At the start time the filter has nothing to hold on to; forces, the ramp, the age and the
-difference of the temperatures of case and resonator are zero, and the others are multiplied by
-them; noise that has moved nothing yet only decides whether any is drawn."""
+"""At the start time the resonator has not begun to follow the case; the filter has nothing to hold
+on to; forces, the ramp, the age and the difference of the temperatures of case and resonator are
+zero, and the others are multiplied by them; noise that has moved nothing yet only decides whether
+any is drawn."""
 
 STILL = {"valid", "gyroRate", "noise.isMade", "flicker.isMade"}
 """Outputs that jump at thresholds, or are zero until a second sample."""

@@ -49,6 +49,7 @@ CONVERTER = {
 
 RESTING = {
     "caseTemperature",
+    "resonator.environment.referenceTemperature",
     "resonator.environment.thermalLag",
     "resonator.environment.selfHeating",
     "pickOff.feedthrough",

@@ -208,6 +208,8 @@ def _assemble(columns: Mapping[Group, NDArray[np.int64]], blocks: Sequence[Block
 def _add_products(total: Array, blocks: Sequence[Block]) -> None:
     """Add the products of one channel's columns in all tests to those of the design: what all tests
     have in the same columns is summed first."""
+    if not blocks:
+        return
     where = np.array([block.columns for block in blocks])
     is_shared = (where == where[0]).all(axis=0)
     shared = where[0][is_shared]

@@ -11,6 +11,7 @@ import numpy as np
 
 from pyhrg.common.arrays import Array
 from pyhrg.common.toml_table import Key
+from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import EFFECTS, Effect
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.equivalence.hidden_effects import find_hidden_effects
@@ -18,6 +19,7 @@ from pyhrg.gap.evidence.equivalence.known_equivalents import find_known_equivale
 from pyhrg.gap.evidence.evidence import find_equivalents
 from pyhrg.gap.evidence.hypothesis import compute_sigma_along
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise
+from pyhrg.gap.evidence.posterior import Posterior
 from pyhrg.gap.evidence.residual_features import (
     ResidualFeature,
     compute_checked_residuals,
@@ -122,7 +124,7 @@ def _find_known_causes(attribution: Attribution, effects: Sequence[Effect]) -> l
     known, fitted = best.exact, best.ranking.best
     for effect, (size, covariance) in best.departures.items():
         total = effect.vector(nominal) + size
-        probability = _compute_beyond(effect.tolerance_of(nominal), size, covariance)
+        probability = _compute_beyond(attribution.posterior, effect, nominal)
         if probability > BEYOND_PROBABILITY:
             intervals = compute_intervals(
                 effect, total, partial(compute_sigma_along, covariance=covariance)
@@ -144,7 +146,7 @@ def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
     nominal = attribution.nominal
     for effect, (size, covariance) in attribution.posterior.best.departures.items():
         tolerance = effect.tolerance_of(nominal)
-        if _compute_beyond(tolerance, size, covariance) <= BEYOND_PROBABILITY:
+        if _compute_beyond(attribution.posterior, effect, nominal) <= BEYOND_PROBABILITY:
             stated, key = effect.vector(nominal), effect.keys[0]
             total = stated + size
             parameters = effect.parameters(total)
@@ -164,10 +166,16 @@ def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
     return tuple(values)
 
 
-def _compute_beyond(tolerance: float, size: Array, covariance: Array) -> float:
-    """Probability that the length of a departure exceeds the tolerance; normal along it."""
-    length = float(np.linalg.norm(size))
-    return compute_beyond_probability(length - tolerance, compute_sigma_along(size, covariance))
+def _compute_beyond(posterior: Posterior, effect: Effect, nominal: Device) -> float:
+    """Probability that the length of a known parameter's departure exceeds the tolerance; normal
+    along it under each hypothesis."""
+    tolerance, total = effect.tolerance_of(nominal), 0.0
+    for hypothesis, probability in zip(posterior.hypotheses, posterior.probabilities, strict=True):
+        if effect in hypothesis.departures:
+            size, covariance = hypothesis.departures[effect]
+            excess, sigma = np.linalg.norm(size) - tolerance, compute_sigma_along(size, covariance)
+            total += probability * compute_beyond_probability(float(excess), sigma)
+    return total
 
 
 def compute_intervals(

@@ -191,13 +191,14 @@ def _assign_columns(
 def _assemble(columns: Mapping[Group, NDArray[np.int64]], blocks: Sequence[Block]) -> Design:
     count = sum(map(len, columns.values()))
     total, projection, power = np.zeros((count, count)), np.zeros(count), 0.0
-    for channel in CHANNELS:
+    for channel in dict.fromkeys(block.channel for block in blocks):
         own = [block for block in blocks if block.channel == channel]
-        _add_products(total, own)
-        for block in own:
-            scale = 1 / (1 + block.model_error)
-            projection[block.columns] += scale * block.gram[:-1, -1]
-            power += scale * float(block.gram[-1, -1])
+        grams = [block.gram / (1 + block.model_error) for block in own]
+        where = np.array([block.columns for block in own])
+        _add_products(total, where, grams)
+        for places, gram in zip(where, grams, strict=True):
+            projection[places] += gram[:-1, -1]
+            power += float(gram[-1, -1])
     norms = np.sqrt(np.diag(total))
     norms[norms < MIN_NORM] = 0.0
     unit = np.divide(1.0, norms, out=np.zeros(count), where=norms > 0)
@@ -205,21 +206,17 @@ def _assemble(columns: Mapping[Group, NDArray[np.int64]], blocks: Sequence[Block
     return Design(gram, projection * unit, power, columns, norms, tuple(blocks))
 
 
-def _add_products(total: Array, blocks: Sequence[Block]) -> None:
-    """Add the products of one channel's columns in all tests to those of the design: what all tests
-    have in the same columns is summed first."""
-    if not blocks:
-        return
-    where = np.array([block.columns for block in blocks])
+def _add_products(total: Array, where: NDArray[np.int64], grams: Sequence[Array]) -> None:
+    """Add the products of one channel's columns in k tests to those of the design. `where`, (k, q):
+    the design's columns in each test; what all tests have in the same columns is summed first."""
     is_shared = (where == where[0]).all(axis=0)
     shared = where[0][is_shared]
     summed = np.zeros((len(shared), len(shared)))
-    for block in blocks:
-        gram = block.gram[:-1, :-1] / (1 + block.model_error)
-        summed += gram[np.ix_(is_shared, is_shared)]
-        own = block.columns[~is_shared]
-        total[np.ix_(own, block.columns)] += gram[~is_shared]
-        total[np.ix_(shared, own)] += gram[np.ix_(is_shared, ~is_shared)]
+    for places, gram in zip(where, grams, strict=True):
+        products, own = gram[:-1, :-1], places[~is_shared]
+        summed += products[np.ix_(is_shared, is_shared)]
+        total[np.ix_(own, places)] += products[~is_shared]
+        total[np.ix_(shared, own)] += products[np.ix_(is_shared, ~is_shared)]
     total[np.ix_(shared, shared)] += summed
 
 

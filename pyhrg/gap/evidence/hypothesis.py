@@ -28,6 +28,7 @@ from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
 from pyhrg.gap.evidence.residuals import compute_residuals, select_distinct
 from pyhrg.gap.evidence.search import Ranking, is_unnamed, rank_sets
 from pyhrg.gap.replay.observations import CHANNELS
+from pyhrg.gap.soundness.fault import compute_beyond_probability
 from pyhrg.gap.whitening.campaign_noise import CampaignNoise
 from pyhrg.gap.whitening.channel_noise import estimate_campaign_noise
 
@@ -106,6 +107,15 @@ class Hypothesis:
             for effect, (size, covariance) in departures.items()
             if np.linalg.norm(size) > SIGNIFICANT_SIGMA * compute_sigma_along(size, covariance)
         }
+
+    def compute_beyond(self, effect: Effect, tolerance: float) -> float:
+        """Probability, given this noise, that a known parameter is off by more than a tolerance,
+        SI: normal along its departure (docs/methods/verdict.md, Eq. 9)."""
+        if effect not in self.departures:
+            return 0.0
+        size, covariance = self.departures[effect]
+        excess = float(np.linalg.norm(size)) - tolerance
+        return compute_beyond_probability(excess, compute_sigma_along(size, covariance))
 
     @property
     def log_posterior(self) -> float:

@@ -49,6 +49,10 @@ class Posterior:
         """Probability that one of the effects and noises of these names takes part."""
         return self._mean(h.probability(*names) for h in self.hypotheses)
 
+    def compute_beyond(self, effect: Effect, tolerance: float) -> float:
+        """Probability that a known parameter is off by more than a tolerance, SI."""
+        return self._mean(h.compute_beyond(effect, tolerance) for h in self.hypotheses)
+
     @property
     def unknown_probability(self) -> float:
         """Probability that something outside the catalogue takes part."""

@@ -11,7 +11,6 @@ import numpy as np
 
 from pyhrg.common.arrays import Array
 from pyhrg.common.toml_table import Key
-from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import EFFECTS, Effect
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.equivalence.hidden_effects import find_hidden_effects
@@ -19,7 +18,6 @@ from pyhrg.gap.evidence.equivalence.known_equivalents import find_known_equivale
 from pyhrg.gap.evidence.evidence import find_equivalents
 from pyhrg.gap.evidence.hypothesis import compute_sigma_along
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise
-from pyhrg.gap.evidence.posterior import Posterior
 from pyhrg.gap.evidence.residual_features import (
     ResidualFeature,
     compute_checked_residuals,
@@ -27,7 +25,6 @@ from pyhrg.gap.evidence.residual_features import (
 )
 from pyhrg.gap.findings.diagnosis import Cause, KnownValue, Verdict
 from pyhrg.gap.findings.materiality import measure_effect
-from pyhrg.gap.soundness.fault import compute_beyond_probability
 
 UNEXPLAINED_PROBABILITY = 0.5
 """The verdict is `unexplained` where something outside the catalogue takes part with at least this
@@ -120,11 +117,12 @@ def _find_effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> 
 def _find_known_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[Cause]:
     """Known parameters whose 95 % interval lies beyond their tolerance."""
     causes = []
-    best, nominal = attribution.posterior.best, attribution.nominal
+    posterior, nominal = attribution.posterior, attribution.nominal
+    best = posterior.best
     known, fitted = best.exact, best.ranking.best
     for effect, (size, covariance) in best.departures.items():
         total = effect.vector(nominal) + size
-        probability = _compute_beyond(attribution.posterior, effect, nominal)
+        probability = posterior.compute_beyond(effect, effect.tolerance_of(nominal))
         if probability > BEYOND_PROBABILITY:
             intervals = compute_intervals(
                 effect, total, partial(compute_sigma_along, covariance=covariance)
@@ -143,10 +141,10 @@ def _find_known_causes(attribution: Attribution, effects: Sequence[Effect]) -> l
 def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
     """Known parameters that are significantly off, but not shown to exceed their tolerance."""
     values = []
-    nominal = attribution.nominal
-    for effect, (size, covariance) in attribution.posterior.best.departures.items():
+    posterior, nominal = attribution.posterior, attribution.nominal
+    for effect, (size, covariance) in posterior.best.departures.items():
         tolerance = effect.tolerance_of(nominal)
-        if _compute_beyond(attribution.posterior, effect, nominal) <= BEYOND_PROBABILITY:
+        if posterior.compute_beyond(effect, tolerance) <= BEYOND_PROBABILITY:
             stated, key = effect.vector(nominal), effect.keys[0]
             total = stated + size
             parameters = effect.parameters(total)
@@ -164,18 +162,6 @@ def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
                 )
             )
     return tuple(values)
-
-
-def _compute_beyond(posterior: Posterior, effect: Effect, nominal: Device) -> float:
-    """Probability that the length of a known parameter's departure exceeds the tolerance; normal
-    along it under each hypothesis."""
-    tolerance, total = effect.tolerance_of(nominal), 0.0
-    for hypothesis, probability in zip(posterior.hypotheses, posterior.probabilities, strict=True):
-        if effect in hypothesis.departures:
-            size, covariance = hypothesis.departures[effect]
-            excess, sigma = np.linalg.norm(size) - tolerance, compute_sigma_along(size, covariance)
-            total += probability * compute_beyond_probability(float(excess), sigma)
-    return total
 
 
 def compute_intervals(

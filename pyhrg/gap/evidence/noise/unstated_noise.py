@@ -68,9 +68,9 @@ def complete_stated_noise(
 def _list_unstated(nominal: Device) -> tuple[str, ...]:
     """Fields of the noises that a gyro must have and its maker does not state. Where nothing says
     how readings scatter, but slow noise is stated, that is the white noise."""
-    slow = nominal.angle_random_walk, nominal.rate_random_walk, nominal.bias_instability
     if nominal.angle_white_noise or nominal.quantization_step:
         return ()
+    slow = nominal.angle_random_walk, nominal.rate_random_walk, nominal.bias_instability
     return ("angle_white_noise",) if any(slow) else ("angle_white_noise", "angle_random_walk")
 
 

@@ -2,8 +2,9 @@
 
 import re
 from codecs import BOM_UTF16_BE, BOM_UTF16_LE
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -35,19 +36,35 @@ class Sketch:
     names: of the columns, from the header.
     units: from a row of units below the header, as many; empty texts where there is none.
     rows: cells of each row of values.
-    placeholders: texts that seem to stand for a missing value, such as -9999.
     """
 
     layout: dict[str, str]
     names: tuple[str, ...]
     units: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
-    placeholders: frozenset[str]
+
+    @cached_property
+    def placeholders(self) -> frozenset[str]:
+        """Texts that seem to stand for a missing value: words for nothing, and nothing but nines,
+        in columns of numbers that are all far smaller."""
+        texts = {text for row in self.rows for text in row}
+        found = {text for text in texts if NOTHING.fullmatch(text)}
+        for nines in sorted(text for text in texts if NINES.fullmatch(text)):
+            value = abs(float(nines.replace(",", ".")))
+            places = {i for row in self.rows for i, text in enumerate(row) if text == nines}
+            sizes = [np.abs(self._parse(place, found)) for place in places]
+            smaller = [size[size < value] for size in sizes]
+            if all(len(own) and own.max() < value / PLACEHOLDER_RATIO for own in smaller):
+                found.add(nines)
+        return frozenset(found)
 
     def read_numbers(self, place: int) -> Array:
         """(n,) values of a column, without missing ones; n is 0 where one is no number."""
+        return self._parse(place, self.placeholders)
+
+    def _parse(self, place: int, missing: Collection[str]) -> Array:
         texts = [row[place] for row in self.rows if place < len(row)]
-        known = [t for t in texts if t not in self.placeholders and t.lower() not in Layout.missing]
+        known = [t for t in texts if t not in missing and t.lower() not in Layout.missing]
         is_comma = "comma" in self.layout["decimal"]
         try:
             return np.array([float(t.replace(",", ".") if is_comma else t) for t in known])
@@ -85,25 +102,7 @@ def read_sketch(path: Path) -> Sketch:
     if len(named) > 1:
         layout["lines_after_header"] = "1"
     units = rows[named[1]] if len(named) > 1 else [""] * len(rows[-1])
-    values = tuple(map(tuple, rows[head:]))
-    plain = Sketch(layout, tuple(rows[named[0]]), tuple(units), values, frozenset())
-    return replace(plain, placeholders=_find_placeholders(plain))
-
-
-def _find_placeholders(sketch: Sketch) -> frozenset[str]:
-    """Texts of nothing but nines, in columns of numbers that are all far smaller; and words for
-    nothing."""
-    texts = {text for row in sketch.rows for text in row}
-    words = {text for text in texts if NOTHING.fullmatch(text)}
-    plain = replace(sketch, placeholders=frozenset(words))
-    for nines in sorted(text for text in texts if NINES.fullmatch(text)):
-        value = abs(float(nines.replace(",", ".")))
-        places = {i for row in sketch.rows for i, text in enumerate(row) if text == nines}
-        sizes = [np.sort(np.abs(plain.read_numbers(place))) for place in places]
-        others = [size[size < value] for size in sizes]
-        if all(len(o) and o[-1] < value / PLACEHOLDER_RATIO for o in others):
-            words.add(nines)
-    return frozenset(words)
+    return Sketch(layout, tuple(rows[named[0]]), tuple(units), tuple(map(tuple, rows[head:])))
 
 
 def _decode(path: Path) -> tuple[str, str]:

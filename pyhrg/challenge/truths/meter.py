@@ -248,7 +248,8 @@ class Meter:
         return [self._compute_residual(test.log, test) for test in self._nominal_tests]
 
     def _compute_residual(self, log: Log, test: NominalTest) -> Residual:
-        answer = self._replay(prepare_inputs(log, self.nominal))
+        noise = self.instruments.temperature
+        answer = self._replay(prepare_inputs(log, self.nominal, thermometer_noise=noise))
         residual = {name: getattr(log, name) - answer[name] for name in CHANNELS}
         turned = self.nominal.bryan_factor * residual["gyro_angle"]
         at_angle = {

@@ -66,13 +66,16 @@ class ReplayInputs:
         )
 
 
-def prepare_inputs(log: Log, nominal: Device, encoder_noise: float = 0.0) -> ReplayInputs:
-    """Inputs of a log of one power-on, from its start, whose rows are complete; `encoder_noise` is
-    the standard deviation of the table encoder's readings, rad."""
+def prepare_inputs(
+    log: Log, nominal: Device, encoder_noise: float = 0.0, thermometer_noise: float = 0.0
+) -> ReplayInputs:
+    """Inputs of a log of one power-on, from its start, whose rows are complete. `encoder_noise` is
+    the standard deviation of the table encoder's readings, rad; `thermometer_noise`, K, is the
+    least that the thermometer has, whatever its readings show."""
     temperature = np.append(log.temperature[0], log.temperature)
     step = estimate_toggling_step(list_measured_temperatures(log))
     log = replace(log, table_angle=_average_steady(log.table_angle))
-    temperatures = _average_steady(temperature, step / math.sqrt(12))
+    temperatures = _average_steady(temperature, max(step / math.sqrt(12), thermometer_noise))
     return ReplayInputs(
         log,
         estimate_start_angle(log, nominal.bryan_factor),

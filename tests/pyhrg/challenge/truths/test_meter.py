@@ -98,6 +98,19 @@ def test_what_the_average_leaves_out_is_noise_of_its_shape(simulation: Simulatio
     assert found.sigmas(GYRO, Disturbance(shown=shown)) == pytest.approx(3, rel=0.01)
 
 
+@pytest.mark.parametrize(("size", "least", "most"), [(0.9, 0.0, 0.01), (5.0, 10.0, math.inf)])
+def test_a_swing_below_the_noise_of_the_thermometer_shows_nothing_at_rest(
+    simulation: Simulation, size: float, least: float, most: float
+) -> None:
+    """Size over that noise: the replay gets the mean of readings that show no more than noise."""
+
+    def read(log: Log) -> Log:
+        swing = size * Instruments().temperature * np.sin(2 * math.pi * log.time / 100.0)
+        return replace(log, temperature=log.temperature + swing)
+
+    assert least <= meter(simulation).sigmas(GYRO, Disturbance(shown=read)) <= most
+
+
 def test_parameters_say_the_effect(simulation: Simulation) -> None:
     measuring = meter(simulation, rate=5 * DEG)
     effect = EFFECTS["damping_anisotropy"]

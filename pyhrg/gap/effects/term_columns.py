@@ -264,7 +264,7 @@ def _generate_free_decay(where: Coordinates) -> Iterator[PlacedTerm]:
     free = (log.drive_on <= 0)[:, None] * log.interval
 
     def decay(block: Array) -> Array:
-        return np.asarray(-where.level[:, None] * np.cumsum(free * block, 0))
+        return np.asarray(-where.level[:, None] * np.cumsum(free * _average(block), 0))
 
     for coordinate, function, _, block in where.functions:
         if coordinate == "amplitude":

@@ -42,7 +42,9 @@ def test_a_large_term_stands_alone(simulation: Simulation, recorded_campaign: Pa
     What the linear response misses of it is not read as other terms."""
     folder = recorded_campaign.parent / "lab-12"
     nominal = campaign.read_campaign(folder).nominal
-    (term,) = diagnose(folder, simulation=simulation).diagnosis.terms
+    found = diagnose(folder, simulation=simulation).diagnosis
+    (term,) = found.terms
+    assert not found.causes
     assert (term.place, term.function) == ("damping", "amplitude squared")
     true, name = 0.01 / nominal["decay_time_s"], "damping_amplitude2_per_s"
     low, high = term.interval_95[name]

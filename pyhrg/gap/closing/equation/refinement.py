@@ -114,13 +114,19 @@ def find_curved_tests(
 
 def estimate_missed(part: LinearTest, sizes: TermSizes) -> dict[str, Array]:
     """(n,) by channel: what the linear response to terms of these sizes misses, because they turn
-    the pattern (docs/methods/equation.md, Eq. 3a)."""
+    the pattern and damp its free decay (docs/methods/equation.md, Eqs. 3a and 3b)."""
     where, slopes = part.where, part.slopes["gyro_angle"]
     growth = np.maximum(shape_origin(part.bryan_factor, slopes), MIN_REMAINING_SHIFT)
     linear = {name: compute_response(where, name, sizes) for name in CHANNELS}
     angle = linear["gyro_angle"]
-    turned = replace(where, pattern_angle=where.pattern_angle - part.bryan_factor * angle)
-    missed = {name: compute_response(turned, name, sizes) - own for name, own in linear.items()}
+    decay = np.where(part.test.test.log.drive_on > 0, 0.0, linear["amplitude"])
+    moved = replace(
+        where,
+        pattern_angle=where.pattern_angle - part.bryan_factor * angle,
+        amplitude=where.amplitude + decay,
+        level=where.level + decay / 2,
+    )
+    missed = {name: compute_response(moved, name, sizes) - own for name, own in linear.items()}
     grown = growth * np.cumsum(np.diff(angle, prepend=0.0) / growth)
     return missed | {"gyro_angle": missed["gyro_angle"] + grown - angle}
 

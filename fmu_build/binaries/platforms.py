@@ -35,9 +35,10 @@ class Platform:
 
     @property
     def runtime(self) -> list[str]:
-        """Arguments of the compiler for the C runtime."""
+        """Arguments of the compiler for the C runtime. The compiler's own, which the sources don't
+        need, would be compiled before the first library."""
         if self.suffix != ".dll":
-            return ["-lm"]
+            return ["-lm", "-rtlib=none"]
         parts = [f"-lapi-ms-win-crt-{part}-l1-1-0" for part in UCRT]
         headers = Path(import_extra("ziglang").__file__).parent / WINDOWS_HEADERS
         return ["-nostdlib", "-isystem", str(headers), str(WINDOWS_RUNTIME), *parts]

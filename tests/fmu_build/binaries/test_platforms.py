@@ -5,6 +5,8 @@ Nothing here can run the binaries for macOS; `test_binaries.py` looks at what is
 
 import os
 import zipfile
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 import fmpy
@@ -63,10 +65,16 @@ def models(
     return result
 
 
-def _host(folder: Path, fmi: int, name: str) -> Path:
-    """The host program for a platform."""
+@pytest.fixture(scope="module")
+def hosts(tmp_path_factory: pytest.TempPathFactory) -> Callable[[int, str], Path]:
+    """Gives the host program for an FMI version and a platform; each is compiled once."""
+    folder = tmp_path_factory.mktemp("hosts")
+    return cache(lambda fmi, name: _compile_host(folder, fmi, name))
+
+
+def _compile_host(folder: Path, fmi: int, name: str) -> Path:
     platform = PLATFORMS[name]
-    program = folder / f"host-{name}.exe"
+    program = folder / f"host-{name}-{fmi}.exe"
     flags = ["-target", platform.target, *FLAGS, "-s", f"-DFMI={fmi}", f"-I{native.HEADERS}"]
     sources = [native.HERE / "host.c"]
     if platform.suffix == ".dll":
@@ -74,7 +82,7 @@ def _host(folder: Path, fmi: int, name: str) -> Path:
         flags += ["-Wl,-e,mainCRTStartup", *platform.runtime]
         flags += ["-lapi-ms-win-crt-runtime-l1-1-0", "-lkernel32"]
     else:
-        flags.append("-ldl")
+        flags += ["-ldl", *platform.runtime]
     native.run([*COMPILER, *sources, *flags, "-o", program])
     return program
 
@@ -116,16 +124,15 @@ def _environment(prefix: Path) -> dict[str, str]:
 )
 def test_other_platforms_give_the_same_bits(
     models: dict[tuple[int, str], Path],
+    hosts: Callable[[int, str], Path],
     prefix: Path,
-    tmp_path: Path,
     name: str,
     fmi: int,
     root: str,
 ) -> None:
     def lines(platform: str) -> list[str]:
-        program = _host(tmp_path, fmi, platform)
         arguments = _arguments(models[fmi, root], fmi, platform)
-        command = [*_emulator(platform), program, *arguments]
+        command = [*_emulator(platform), hosts(fmi, platform), *arguments]
         return native.run(command, seconds=240, env=_environment(prefix)).splitlines()
 
     expected = lines("x86_64-linux")
@@ -136,12 +143,11 @@ def test_other_platforms_give_the_same_bits(
 
 
 def test_what_follows_a_restored_state_is_the_same_again(
-    folders: dict[int, Path], tmp_path: Path
+    folders: dict[int, Path], hosts: Callable[[int, str], Path]
 ) -> None:
     results = []
     for fmi, folder in folders.items():
-        program = _host(tmp_path, fmi, "x86_64-linux")
-        text = native.run([program, *_arguments(folder, fmi, "x86_64-linux")])
+        text = native.run([hosts(fmi, "x86_64-linux"), *_arguments(folder, fmi, "x86_64-linux")])
         results.append(text.splitlines())
     lines = results[0]
     assert lines[100:200] == lines[200:STEPS]
@@ -150,11 +156,12 @@ def test_what_follows_a_restored_state_is_the_same_again(
 
 
 @pytest.mark.needs("valgrind")
-def test_memory_checker_finds_nothing(folders: dict[int, Path], tmp_path: Path) -> None:
+def test_memory_checker_finds_nothing(
+    folders: dict[int, Path], hosts: Callable[[int, str], Path]
+) -> None:
     """No invalid access, no value that was never set, no leak."""
     checker = [native.tool("valgrind"), "--quiet", "--error-exitcode=9", "--leak-check=full"]
     for fmi, folder in folders.items():
-        program = _host(tmp_path, fmi, "x86_64-linux")
         arguments = _arguments(folder, fmi, "x86_64-linux")
-        said = native.run([*checker, program, *arguments], seconds=300)
+        said = native.run([*checker, hosts(fmi, "x86_64-linux"), *arguments], seconds=300)
         assert len(said.splitlines()) == STEPS + 1

@@ -36,7 +36,7 @@ def fuzz_calls(calls: str = "5_000_000", seed: str = "1", model: str = "") -> No
 
 def fuzz_model(root: str, fmi: int, calls: int, seed: int) -> None:
     with tempfile.TemporaryDirectory() as name:
-        fuzzer = native.fuzzer(Path(name), fmi, root)
+        fuzzer = native.fuzzer(Path(name), fmi, root, "-O1")
         for first in range(0, calls, BATCH):
             part = [str(seed + first // BATCH), str(min(BATCH, calls - first))]
             try:

@@ -25,14 +25,15 @@ def test_a_ring_down_that_damps_itself_is_foreseen() -> None:
     observed = observe_test(Test("test", "ring_down", "fit", log), NOMINAL)
     nothing = np.zeros(ROWS)
     rate = 1 / NOMINAL.decay_time - DAMPING
-    simulated = {name: nothing for name in CHANNELS} | {
+    simulated = dict.fromkeys(CHANNELS, nothing) | {
         "wave_angle": nothing,
         "amplitude": np.exp(-log.time / NOMINAL.decay_time),
     }
     where = compute_coordinates(observed, simulated, NOMINAL)
-    slopes = {name: nothing for name in CHANNELS}
+    slopes = dict.fromkeys(CHANNELS, nothing)
     part = LinearTest(observed, NOMINAL, simulated, simulated, {}, where, slopes)
-    sizes = {CandidateTerm("amplitude_force", "amplitude", "amplitude squared"): np.array([DAMPING])}
+    term = CandidateTerm("amplitude_force", "amplitude", "amplitude squared")
+    sizes = {term: np.array([DAMPING])}
     linear = compute_response(where, "amplitude", sizes)
     share = DAMPING / rate
     exact = ((1 + share) * np.exp(2 * rate * log.time) - share) ** -0.5

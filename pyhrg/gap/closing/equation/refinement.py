@@ -119,7 +119,7 @@ def estimate_missed(part: LinearTest, sizes: TermSizes) -> dict[str, Array]:
     growth = np.maximum(shape_origin(part.bryan_factor, slopes), MIN_REMAINING_SHIFT)
     linear = {name: compute_response(where, name, sizes) for name in CHANNELS}
     angle = linear["gyro_angle"]
-    decay = np.where(part.test.test.log.drive_on > 0, 0.0, linear["amplitude"])
+    decay = np.where(part.test.log.drive_on > 0, 0.0, linear["amplitude"])
     moved = replace(
         where,
         pattern_angle=where.pattern_angle - part.bryan_factor * angle,

@@ -25,8 +25,10 @@ from pyhrg.gap.evidence.posterior import Posterior, average_posteriors, compare_
 from pyhrg.gap.evidence.residual_features import compute_checked_residuals, find_period
 from pyhrg.gap.evidence.residuals import compute_residuals
 from pyhrg.gap.evidence.rounds.step import (
+    CURVED_CHANNELS,
     LINEARIZATION_ERROR,
     go_halfway,
+    measure_curved_power,
     measure_step,
     move_gyro,
 )
@@ -186,7 +188,8 @@ class _Iteration:
             self._linearization_error = 0.0
             hypothesis = self._rank()
         elif self._linearization_error:
-            missed = LINEARIZATION_ERROR * length**2
+            moved, design = self._move_gyro(hypothesis), hypothesis.exact.whole
+            missed = LINEARIZATION_ERROR * measure_curved_power(self.device, moved, design)
             if self._sets.take(hypothesis.ranking.best.groups, length):
                 missed = min(missed, self._linearization_error / ERROR_DECAY)
             self._linearization_error = missed
@@ -215,12 +218,13 @@ class _Iteration:
         return True
 
     def _measure_gap(self) -> float:
-        """Chi-square of the records less the simulation of the present gyro, beyond their noise."""
+        """Chi-square of the records less the simulation of the present gyro, beyond their noise, in
+        the channels that are not linear."""
         nominal = self._nominal
         effects = self._catalogue.parameters
         moved: dict[Group, Array] = {e: e.vector(self.device) - e.vector(nominal) for e in effects}
         noise = estimate_nominal_noise(nominal, self.parts)
-        residuals = compute_residuals(self.parts, moved, noise, nominal)
+        residuals = compute_residuals(self.parts, moved, noise, nominal, CURVED_CHANNELS)
         return sum(max(float(r.white @ r.white) - len(r.white), 0.0) for r in residuals)
 
     def _rank(self) -> Hypothesis:
@@ -258,8 +262,10 @@ class _Iteration:
 
     def step_length(self, hypothesis: Hypothesis) -> float:
         """Mahalanobis distance (Eq. (11)) by which a hypothesis moves the gyro."""
-        moved = move_gyro(self._nominal, self.device, hypothesis)
-        return measure_step(self.device, moved, hypothesis.exact.whole)
+        return measure_step(self.device, self._move_gyro(hypothesis), hypothesis.exact.whole)
+
+    def _move_gyro(self, hypothesis: Hypothesis) -> Device:
+        return move_gyro(self._nominal, self.device, hypothesis)
 
     def has_converged(self, hypothesis: Hypothesis) -> bool:
         """Whether it moves neither gyro nor noise, and sensitivities were taken nearby."""
@@ -270,7 +276,7 @@ class _Iteration:
     def move(self, hypothesis: Hypothesis) -> None:
         """Move the gyro to where the hypothesis has it. Far from where sensitivities were taken
         last, they are taken again."""
-        self.device = move_gyro(self._nominal, self.device, hypothesis)
+        self.device = self._move_gyro(hypothesis)
         self._is_far = not self._has_near_sensitivities(hypothesis)
 
     def _has_near_sensitivities(self, hypothesis: Hypothesis) -> bool:

@@ -3,23 +3,30 @@
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Design
 from pyhrg.gap.evidence.hypothesis import Hypothesis
+from pyhrg.gap.replay.observations import CHANNELS
 
 LINEARIZATION_ERROR = 1e-3
 """Share of a step's power that may remain in the residual because effects are not linear (Eq.
 (10)). The step is at most the gap that is left, and taken for no longer than the last one.
 Chosen."""
+CURVED_CHANNELS = tuple(channel for channel in CHANNELS if channel != "frequency_offset")
+"""Channels whose power counts there. The frequency is nearly linear in all that shifts it, and
+known so well that a stated one a little off has more power than all else."""
 
 
 def move_gyro(nominal: Device, device: Device, hypothesis: Hypothesis) -> Device:
     """The nominal gyro with the parameters of the most probable set. One whose power is below the
     linearization error of this step (Eq. (10)) is left out."""
     design = hypothesis.exact.whole
-    error = LINEARIZATION_ERROR * measure_step(device, hypothesis.put_effects(nominal), design) ** 2
+    target = hypothesis.put_effects(nominal)
+    error = LINEARIZATION_ERROR * measure_curved_power(device, target, design)
     moved = nominal
     for effect, size in hypothesis.effect_sizes.items():
         vector = effect.vector(nominal) + size
@@ -38,8 +45,24 @@ def go_halfway(old: Device, new: Device, effects: Sequence[Effect]) -> Device:
 
 def measure_step(old: Device, new: Device, summed: Design) -> float:
     """Mahalanobis distance between two gyros (Eq. (11))."""
-    effects = [group for group in summed.columns if isinstance(group, Effect)]
-    where = summed.list_columns(effects)
-    change = np.concatenate([effect.vector(new) - effect.vector(old) for effect in effects])
+    where, change = _subtract(old, new, summed)
     unit = change * summed.norms[where]
     return float(np.sqrt(max(float(unit @ summed.gram[np.ix_(where, where)] @ unit), 0.0)))
+
+
+def measure_curved_power(old: Device, new: Device, summed: Design) -> float:
+    """Square of the Mahalanobis distance in the channels that are not linear."""
+    where, change = _subtract(old, new, summed)
+    size, power = np.zeros(len(summed.norms)), 0.0
+    size[where] = change
+    for block in (block for block in summed.blocks if block.channel in CURVED_CHANNELS):
+        own = size[block.columns]
+        power += float(own @ block.gram[:-1, :-1] @ own) / (1 + block.model_error)
+    return max(power, 0.0)
+
+
+def _subtract(old: Device, new: Device, summed: Design) -> tuple[NDArray[np.int64], Array]:
+    """(p,) columns of a design's effects, and (p,) change of their vectors between two gyros."""
+    effects = [group for group in summed.columns if isinstance(group, Effect)]
+    change = np.concatenate([effect.vector(new) - effect.vector(old) for effect in effects])
+    return summed.list_columns(effects), change

@@ -15,7 +15,7 @@ from pyhrg.gap.closing.origin import take_out_origins
 from pyhrg.gap.closing.term_verification import verify_terms
 from pyhrg.gap.closing.verification import compute_gap_figures
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue
-from pyhrg.gap.effects.design import build_design
+from pyhrg.gap.effects.design import build_design, remove_effects
 from pyhrg.gap.evidence.attribution import Attribution, complete_noises, keep_nominal
 from pyhrg.gap.evidence.rounds.iteration import attribute_gap
 from pyhrg.gap.findings import verdict as verdicts
@@ -126,14 +126,15 @@ def _summarize(
     stated = build_angle_noise(prepared.nominal)
     stated_noise = replace(attribution.channel_noise, angle=stated)
     count = len(attribution.parts)
+    beyond = remove_effects(
+        build_design(attribution.parts, stated_noise), verdicts.list_tolerated_sizes(attribution)
+    )
     return Diagnosis(
         device,
         verdict,
         tuple(sorted(causes, key=lambda cause: cause.is_within(bound))),
         unknown_probability,
-        where=locate_gap(
-            build_design(attribution.parts, stated_noise), measure_travels(attribution.parts)
-        ),
+        where=locate_gap(beyond, measure_travels(attribution.parts)),
         sizes=measure_sizes(
             attribution.parts, closing.before[:count], closing.after[:count], stated_noise
         ),

@@ -237,6 +237,25 @@ def select_groups(design: Design, groups: Sequence[Group]) -> Design:
     )
 
 
+def subtract_sizes(gram: Array, where: NDArray[np.int64], sizes: Array) -> Array:
+    """Products after columns of these sizes are subtracted from the residual, the last column."""
+    change = np.eye(len(gram))
+    change[where, -1] = -sizes
+    return np.asarray(change.T @ gram @ change)
+
+
+def remove_effects(design: Design, sizes: Mapping[Effect, Array]) -> Design:
+    """The equations of the residual without effects of these sizes, SI."""
+    where = design.list_columns(sizes)
+    removed = np.zeros(len(design.norms))
+    removed[where] = np.concatenate([np.empty(0), *sizes.values()])
+    blocks = [
+        replace(b, gram=subtract_sizes(b.gram, np.arange(len(b.columns)), removed[b.columns]))
+        for b in design.blocks
+    ]
+    return _assemble(design.columns, blocks)
+
+
 def discount_model_error(design: Design, model_error: Mapping[TestChannel, float]) -> Design:
     """Equations with a chi-square per test and channel counted as noise (Eq. 9).
 

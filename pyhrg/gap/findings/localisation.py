@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
-from pyhrg.gap.effects.design import Block, Design
+from pyhrg.gap.effects.design import Block, Design, subtract_sizes
 from pyhrg.gap.effects.linear_test import LinearTest
 
 Key = TypeVar("Key", bound=Hashable)
@@ -113,7 +113,7 @@ def _pursue_shared(
         best, power, sizes = choice
         where = candidates.pop(best)
         after = [
-            replace(block, gram=_subtract(block.gram, where, size))
+            replace(block, gram=subtract_sizes(block.gram, where, size))
             for block, size in zip(blocks, sizes, strict=True)
         ]
         gains = [
@@ -195,13 +195,6 @@ def _fit_sizes(gram: Array, where: NDArray[np.int64]) -> Array:
     """Least-squares sizes of these columns."""
     inverse = np.linalg.pinv(gram[np.ix_(where, where)], hermitian=True)
     return np.asarray(inverse @ gram[where, -1])
-
-
-def _subtract(gram: Array, where: NDArray[np.int64], sizes: Array) -> Array:
-    """Products after columns of these sizes are subtracted from the residual."""
-    change = np.eye(len(gram))
-    change[where, -1] = -sizes
-    return np.asarray(change.T @ gram @ change)
 
 
 def _project_out(gram: Array, where: NDArray[np.int64]) -> Array:

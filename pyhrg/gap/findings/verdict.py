@@ -138,29 +138,40 @@ def _find_known_causes(attribution: Attribution, effects: Sequence[Effect]) -> l
     return causes
 
 
+def list_tolerated_sizes(attribution: Attribution) -> dict[Effect, Array]:
+    """Departures of the known parameters that are not shown to exceed their tolerance, SI."""
+    posterior, nominal = attribution.posterior, attribution.nominal
+    return {
+        effect: size
+        for effect, size in posterior.best.known_sizes.items()
+        if posterior.compute_beyond(effect, effect.tolerance_of(nominal)) <= BEYOND_PROBABILITY
+    }
+
+
 def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
     """Known parameters that are significantly off, but not shown to exceed their tolerance."""
     values = []
-    posterior, nominal = attribution.posterior, attribution.nominal
-    for effect, (size, covariance) in posterior.best.departures.items():
-        tolerance = effect.tolerance_of(nominal)
-        if posterior.compute_beyond(effect, tolerance) <= BEYOND_PROBABILITY:
-            stated, key = effect.vector(nominal), effect.keys[0]
-            total = stated + size
-            parameters = effect.parameters(total)
-            sigma = partial(compute_sigma_along, covariance=covariance)
-            values.append(
-                KnownValue(
-                    effect.name,
-                    effect.family,
-                    key.name,
-                    parameters[key.name],
-                    effect.parameters(stated)[key.name],
-                    compute_intervals(effect, total, sigma)[key.name],
-                    tolerance / key.factor,
-                    parameters,
-                )
+    nominal, departures = attribution.nominal, attribution.posterior.best.departures
+    for effect, size in list_tolerated_sizes(attribution).items():
+        if effect not in departures:
+            continue
+        _, covariance = departures[effect]
+        stated, key = effect.vector(nominal), effect.keys[0]
+        total = stated + size
+        parameters = effect.parameters(total)
+        sigma = partial(compute_sigma_along, covariance=covariance)
+        values.append(
+            KnownValue(
+                effect.name,
+                effect.family,
+                key.name,
+                parameters[key.name],
+                effect.parameters(stated)[key.name],
+                compute_intervals(effect, total, sigma)[key.name],
+                effect.tolerance_of(nominal) / key.factor,
+                parameters,
             )
+        )
     return tuple(values)
 
 

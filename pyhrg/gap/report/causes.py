@@ -9,7 +9,7 @@ from pyhrg.device.declarations import format_effect
 from pyhrg.gap.campaign_diagnosis import CampaignDiagnosis
 from pyhrg.gap.effects.linear_test import Group
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
-from pyhrg.gap.findings.diagnosis import Cause
+from pyhrg.gap.findings.diagnosis import Cause, KnownValue
 from pyhrg.gap.report.words import (
     build_table,
     format_group,
@@ -26,7 +26,8 @@ SMALLEST_PROBABILITY = 1e-3
 
 
 def build_causes(result: CampaignDiagnosis) -> str:
-    """Tables of the named causes, a row a parameter, and of the causes without a name."""
+    """Tables of the named causes, a row a parameter, of the causes without a name, and of what is
+    off within its tolerance."""
     diagnosis = result.diagnosis
     parts = []
     if diagnosis.causes:
@@ -40,7 +41,19 @@ def build_causes(result: CampaignDiagnosis) -> str:
     if diagnosis.unnamed:
         listed = [(html.escape(w), format_percent(p)) for w, p in diagnosis.unnamed.items()]
         parts.append(build_table("Outside the catalogue", ("Depends on", "Probability"), listed))
+    if diagnosis.within_tolerance:
+        columns = ("Parameter", "Value (95 % interval)", "Stated", "Tolerance", "Unit")
+        off = [_make_known_row(known) for known in diagnosis.within_tolerance]
+        parts.append(build_table("Off within tolerance", columns, off))
     return "".join(parts)
+
+
+def _make_known_row(known: KnownValue) -> tuple[str, ...]:
+    _, unit, scale = parse_parameter(known.parameter)
+    value, *interval = (scale * number for number in (known.value, *known.interval_95))
+    stated, tolerance = (format_number(scale * size) for size in (known.stated, known.tolerance))
+    name = html.escape(format_effect(known.name))
+    return name, format_interval(value, *interval), stated, tolerance, unit
 
 
 def _make_rows(cause: Cause, result: CampaignDiagnosis) -> list[tuple[str, ...]]:

@@ -10,7 +10,13 @@ from pyhrg.gap.campaign_diagnosis import CampaignDiagnosis
 from pyhrg.gap.findings.localisation import Place, sum_shares
 from pyhrg.gap.findings.quantity import Size
 from pyhrg.gap.replay.observations import CHANNEL_WORDS
-from pyhrg.gap.report.words import COORDINATES, build_table, format_percent, show_share
+from pyhrg.gap.report.words import (
+    COORDINATES,
+    NOTHING_BEYOND,
+    build_table,
+    format_percent,
+    show_share,
+)
 
 LISTED_BARS = 14
 """Bars that are shown; the others are summed up in one row."""
@@ -21,10 +27,10 @@ SCALES_LEAD = (
 
 
 def build_places(result: CampaignDiagnosis) -> str:
-    """A heat map and bars of the shares of the nominal gyro's residual power beyond the noise."""
+    """A heat map and bars of the shares of the residual's power beyond tolerances and noise."""
     where = result.diagnosis.where
     if not where:
-        return make_paragraph("No channel of any test has more power than its noise.")
+        return make_paragraph(NOTHING_BEYOND)
     tests = [t.test.id for t in result.tests if not t.test.is_holdout]
     return _build_map(where, tests) + _build_bars(where)
 
@@ -49,7 +55,7 @@ def _build_map(where: Sequence[Place], tests: Sequence[str]) -> str:
         _format_total(share(None, None)),
     )
     rows.append(("All tests", *totals))
-    title = "Share of the nominal gyro's residual power beyond the noise, on the fitted tests"
+    title = "Share of the residual's power beyond tolerances and noise, on the fitted tests"
     return f'<div class="heat">{build_table(title, header, rows)}</div>'
 
 

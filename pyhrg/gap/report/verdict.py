@@ -7,7 +7,7 @@ from pyhrg.common.pages.svg import format_interval, format_number
 from pyhrg.device.declarations import format_effect
 from pyhrg.gap.campaign_diagnosis import CampaignDiagnosis
 from pyhrg.gap.effects.catalogue import NOISE_EFFECTS
-from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, GapFigure, KnownValue, Worth
+from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, GapFigure, Worth
 from pyhrg.gap.findings.localisation import sum_shares
 from pyhrg.gap.findings.verdict import UNEXPLAINED_PROBABILITY
 from pyhrg.gap.replay.observations import CHANNEL_WORDS
@@ -21,6 +21,7 @@ from pyhrg.gap.report.terms import (
 )
 from pyhrg.gap.report.words import (
     COORDINATES,
+    NOTHING_BEYOND,
     format_name,
     format_percent,
     join_words,
@@ -100,7 +101,7 @@ def answer_questions(result: CampaignDiagnosis) -> dict[str, list[str]]:
         "What": [
             *(_describe_cause(cause, result) for cause in diagnosis.causes),
             *(f"{describe_term(term)}." for term in diagnosis.terms),
-            *(_describe_known(known) for known in diagnosis.within_tolerance),
+            *_mention_tolerated(diagnosis),
         ]
         or ["Nothing is off."],
         "How sure": _say_how_sure(diagnosis),
@@ -178,7 +179,7 @@ def _say_where(diagnosis: Diagnosis) -> list[str]:
     if diagnosis.verdict == "no_gap":
         sentences = ["Nothing in gyro, bench or record is off beyond its tolerance."]
     if not diagnosis.where:
-        return [*sentences, "No channel of any test has more power than its noise."]
+        return [*sentences, NOTHING_BEYOND]
     shares = sum_shares(diagnosis.where, lambda p: (p.test, p.channel, p.coordinate))
     order = sorted(shares.items(), key=lambda pair: -pair[1])[:MAX_PLACES]
     places = [
@@ -187,7 +188,8 @@ def _say_where(diagnosis: Diagnosis) -> list[str]:
         for (test, channel, coordinate), share in order
         if share >= MIN_SHARE or share == order[0][1]
     ]
-    return [*sentences, f"Most of the residual's power beyond the noise: {join_words(places)}."]
+    beyond = "beyond tolerances and noise"
+    return [*sentences, f"Most of the residual's power {beyond}: {join_words(places)}."]
 
 
 def _say_how_sure(diagnosis: Diagnosis) -> list[str]:
@@ -204,13 +206,10 @@ def _say_how_sure(diagnosis: Diagnosis) -> list[str]:
     return [*sentences, *diagnosis.caveats]
 
 
-def _describe_known(known: KnownValue) -> str:
-    words, unit, scale = parse_parameter(known.parameter)
-    low, high = (scale * end for end in known.interval_95)
-    value = format_interval(scale * known.value, low, high)
-    label = f"{format_effect(known.name)}: {_label(words, known.name)}"
-    nominal = format_number(scale * known.stated)
-    return f"Within its tolerance: {label}{value} {unit}, not {nominal}."
+def _mention_tolerated(diagnosis: Diagnosis) -> list[str]:
+    """Names what is off within its tolerance, in a sentence; the page has a table of the values."""
+    names = [format_effect(known.name) for known in diagnosis.within_tolerance]
+    return [f"Off within tolerance, which is no gap: {join_words(names)}."] if names else []
 
 
 def _label(words: str, effect: str) -> str:

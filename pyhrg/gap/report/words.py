@@ -33,6 +33,7 @@ SUFFIXES = {
 }
 """Unit of a parameter by the end of its name, longer endings first. A name without one
 is a ratio."""
+NOTHING_BEYOND = "No channel of any test has more power than tolerances and noise explain."
 COORDINATES = {
     "wave_angle": "pattern angle",
     "table_angle": "table angle",

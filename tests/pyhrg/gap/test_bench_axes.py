@@ -79,7 +79,9 @@ def test_a_tilt_to_the_north_is_a_latitude(simulation: Simulation) -> None:
 
 
 def test_a_tilt_within_tolerance_is_no_gap(simulation: Simulation) -> None:
-    assert diagnose_tilt(simulation, 0.005 * DEG, -0.005 * DEG).verdict == "no_gap"
+    found = diagnose_tilt(simulation, 0.005 * DEG, -0.005 * DEG)
+    assert found.verdict == "no_gap"
+    assert not found.where
 
 
 def record_tumbles(simulation: Simulation, disturbance: Disturbance, seed: int) -> Campaign:

@@ -7,7 +7,8 @@ import pytest
 
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import EACH_POWER_ON, CandidateTerm
-from pyhrg.gap.effects.design import Block
+from pyhrg.gap.effects.catalogue import EFFECTS
+from pyhrg.gap.effects.design import Block, remove_effects
 from pyhrg.gap.effects.linear_test import Group
 from pyhrg.gap.findings.localisation import locate_gap
 from tests.pyhrg.gap.made_up import design_of
@@ -55,6 +56,19 @@ def test_power_that_no_term_explains_is_noise() -> None:
 
 def test_noise_alone_is_no_gap() -> None:
     assert locate_gap(design_of(COLUMNS, noise())) == ()
+
+
+def test_what_has_its_identified_size_is_no_part_of_the_gap() -> None:
+    """A parameter that is 1e6 sigma off and has its size leaves what a term of 400 sigma makes."""
+    known = EFFECTS["nominal_frequency"]
+    column = np.sin(7 * TIME)[:, None]
+    residual = noise() + 1e6 * column[:, 0] + 20 * TIME**2
+    design = design_of({known: column, **COLUMNS}, residual)
+    assert locate_gap(design)[0].sigmas > 1e6
+    (place,) = locate_gap(remove_effects(design, {known: np.array([1e6])}))
+    (alone,) = locate_gap(design_of(COLUMNS, noise() + 20 * TIME**2))
+    assert place.coordinate == alone.coordinate == "rate"
+    assert place.sigmas == pytest.approx(alone.sigmas, rel=1e-6)
 
 
 def test_a_term_shared_by_tests_is_found_though_none_shows_it_alone() -> None:

@@ -41,11 +41,13 @@ def test_faults_of_bench_and_record_are_told_with_what_to_do(
     assert answers["What"] == [
         "Mounting sign: table angle sign −1.00000 (−1.00020 to −0.99980), not 1.",
         "Lost rows: 2 %.",
-        "Within its tolerance: outliers: 0.1 %, not 0.",
+        "Off within tolerance, which is no gap: outliers.",
     ]
     assert answers["What next"][:2] == [REMEDIES["mounting_sign"], REMEDIES["lost_rows"]]
     assert not any("use them" in sentence for sentence in answers["What next"])
-    assert "after.toml where it has them" in build_page(replace(without_gap, diagnosis=diagnosis))
+    page = build_page(replace(without_gap, diagnosis=diagnosis))
+    assert "after.toml where it has them" in page
+    assert re.search("Off within tolerance.*<td>outliers</td><td>0.1</td><td>0</td>", page)
 
 
 def test_every_fault_has_a_remedy() -> None:

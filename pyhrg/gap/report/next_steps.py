@@ -62,9 +62,9 @@ def suggest_next_steps(diagnosis: Diagnosis, kinds: Collection[str]) -> list[str
         sentences.append(f"Next test: {format_name(test.kind)}, {test.hours:g} h: {why}.")
     for term in diagnosis.terms:
         if nearest := find_nearest(term):
-            name = f"{nearest[0].name} ({nearest[0].number})"
+            known = f"known mechanism {nearest[0].number}, {nearest[0].name}"
             suggestion = nearest[0].suggest_test(kinds)
-            sentences.append(f"{name_term(term)} is next to {name}.{suggestion}")
+            sentences.append(f"{name_term(term)} is nearest to {known}.{suggestion}")
     for cause in diagnosis.causes:
         if (effect := EFFECTS.get(cause.effect)) and effect.imitators:
             others = " or ".join(map(format_effect, effect.imitators))

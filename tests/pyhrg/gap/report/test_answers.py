@@ -99,7 +99,7 @@ def test_a_test_that_the_campaign_has_is_not_asked_for(with_gap: CampaignDiagnos
         (replace(without, tests=(ring_down, *others)), False),
     ):
         next_steps = " ".join(answer_questions(result)["What next"])
-        assert "is next to damping anisotropy (1)." in next_steps
+        assert "is nearest to known mechanism 1, damping anisotropy." in next_steps
         assert ("To tell: a ring-down" in next_steps) == is_asked
         assert ("To tell: a ring-down" in build_terms(result)) == is_asked
 

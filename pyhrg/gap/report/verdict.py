@@ -121,11 +121,10 @@ def summarize_diagnosis(result: CampaignDiagnosis) -> str:
     for question, sentences in answer_questions(result).items():
         for i, sentence in enumerate(sentences):
             head = f"  {'' if i else question:{INDENT - 2}}"
-            plain = sentence.replace("\u00a0", " ")
             lines += textwrap.wrap(
-                plain, WIDTH, initial_indent=head, subsequent_indent=" " * INDENT
+                sentence, WIDTH, initial_indent=head, subsequent_indent=" " * INDENT
             )
-    return "\n".join(lines)
+    return "\n".join(lines).replace("\u00a0", " ")
 
 
 def describe_leftover(diagnosis: Diagnosis) -> str:

@@ -70,6 +70,7 @@ class Coordinates:
         is off that of the replay's energy: quadrature grows then.
     growth_rate: that the drive gives, of the replay, 1/s; 0 while the drive is off.
     quadrature_force: of the replay.
+    free_turns: turn of a free pattern by a constant rate, over that of a driven one.
     is_mean: whether harmonics of angles are means over the rows, not values at their ends.
     """
 
@@ -85,6 +86,7 @@ class Coordinates:
     amplitude: Array
     growth_rate: Array
     quadrature_force: Array
+    free_turns: Array
     is_mean: bool = False
 
     @cached_property
@@ -151,10 +153,14 @@ def name_harmonic(m: int) -> str:
 
 
 def compute_coordinates(
-    test: ObservedTest, replay: Mapping[str, Array], nominal: Device
+    test: ObservedTest,
+    replay: Mapping[str, Array],
+    nominal: Device,
+    free_turns: Array | None = None,
 ) -> Coordinates:
     """Coordinates of a test, from its replay, (n,) by field of a log, SI, and from the nominal
-    thermal lag, reference temperature and amplitude."""
+    thermal lag, reference temperature and amplitude. Without `free_turns` a free pattern turns as a
+    driven one does."""
     log = test.log
     is_driven = log.drive_on > 0
     energetic = np.hypot(replay["amplitude"], replay.get("quadrature", 0.0))
@@ -174,6 +180,7 @@ def compute_coordinates(
         np.where(is_driven, log.amplitude_setpoint, energetic) / nominal.amplitude - 1,
         np.where(is_driven, replay["amplitude_force"], 0.0),
         replay["quadrature_force"],
+        np.ones(len(log.time)) if free_turns is None else free_turns,
     )
 
 

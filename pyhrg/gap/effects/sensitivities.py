@@ -36,8 +36,8 @@ def linearize_test(
         away = effect.vector(device) - effect.vector(nominal)
         for name in CHANNELS:
             residual[name] = residual[name] + own[name] @ away
-    where = compute_coordinates(test, simulated, nominal)
     by_angle = simulation.differentiate_by_angle(device, test)
+    where = compute_coordinates(test, simulated, nominal, by_angle.free_turns)
     turned = nominal.bryan_factor * (test.log.gyro_angle - simulated["gyro_angle"])
     for name in CHANNELS[1:]:
         seen = see_angles(name, turned)

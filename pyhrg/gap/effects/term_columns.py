@@ -105,8 +105,9 @@ def _average(block: Array) -> Array:
 
 
 def _integrate(where: Coordinates, rate: Array) -> Array:
-    """(n, b) integral of rates over the rows."""
-    return np.asarray(np.cumsum(rate, axis=0) * where.test.log.interval)
+    """(n, b) integral of rates over the rows, as a pattern that is free in some of them turns."""
+    turned = np.cumsum(rate, axis=0) * where.test.log.interval
+    return np.asarray(turned * where.free_turns[:, None])
 
 
 def _misread(where: Coordinates, block: Array) -> Array:

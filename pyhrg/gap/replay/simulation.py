@@ -12,6 +12,12 @@ from fmu_build.bundle import build_fmu
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
+from pyhrg.gap.replay.angle_derivatives import (
+    ANGLE_SHIFT,
+    AngleDerivatives,
+    FreePattern,
+    compute_derivatives,
+)
 from pyhrg.gap.replay.inputs.inputs import ReplayInputs
 from pyhrg.gap.replay.loop_response import FORCES, apply_loop_response
 from pyhrg.gap.replay.observations import (
@@ -44,33 +50,14 @@ row."""
 QUASI_STEADY_STEPS = 20
 """Largest number of its communication steps in a row. Chosen: of a row of 10 s, whose inputs change
 slowly."""
-ANGLE_SHIFT = 1e-3
-"""Shift of the start angle to either side for derivatives by the pattern angle, rad. Chosen."""
 STEPS_PER_FINE_ROW = 5
 """Communication steps in a row shorter than `FINE_ROW`: quasi-steady loops lag by three. Chosen."""
-MIN_REMAINING_SHIFT = 0.5
-"""Share of a shift of the start angle that must remain for a derivative by it. Chosen."""
 MIN_PHASE_LAG = 1e-9
 """Phase lag behind a drifting frequency that is neglected, rad. Chosen."""
 MAX_TRANSIENT_SHARE = 0.5
 """Share of transient rows above which the whole test runs with sampled loops. Chosen."""
 MAX_CACHED_ROWS = 1_000_000
 """Rows of simulations kept for repeated requests. Chosen: memory."""
-
-
-@dataclass(frozen=True)
-class AngleDerivatives:
-    """Derivatives of a replay by the pattern's present angle (docs/methods/replay.md, Eq. 7).
-
-    That of the output angle is by the start angle instead: what a bias that depends on the angle
-    makes of a shift, over the angular gain.
-
-    slopes: (n,) first derivatives by channel, SI/rad.
-    curvatures: (n,) second derivatives by channel, SI/rad^2.
-    """
-
-    slopes: Mapping[str, Array]
-    curvatures: Mapping[str, Array]
 
 
 @dataclass(frozen=True)
@@ -189,26 +176,27 @@ class Simulation:
 
     def differentiate_by_angle(self, device: Device, test: ObservedTest) -> AngleDerivatives:
         """Derivatives of a replay by the pattern angle, by central differences of the start angle
-        (docs/methods/replay.md, Eq. 7)."""
-        low, middle, high = self._run_cached(device, test.inputs)
-        pairs = (low, middle), (middle, high)
-        below, above = (_subtract(*pair, device, device, test) for pair in pairs)
-        slopes = {name: (below[name] + above[name]) / (2 * ANGLE_SHIFT) for name in CHANNELS}
-        growth = 1 - device.bryan_factor * slopes["gyro_angle"]
-        remains = growth > MIN_REMAINING_SHIFT
-        shift = np.where(remains, growth, 1.0)
-        now = {n: s if n == "gyro_angle" else s / shift for n, s in slopes.items()}
-        bends = {name: (above[name] - below[name]) / ANGLE_SHIFT**2 for name in CHANNELS}
-        turned = device.bryan_factor * np.where(remains, bends["gyro_angle"], 0.0)
-        curvatures = {n: (b + now[n] * turned) / shift**2 for n, b in bends.items()}
-        return AngleDerivatives(now, curvatures)
+        (docs/methods/replay.md, Eq. 7); where the drive is off, by a constant rate (Eq. 7a)."""
+        low, middle, high, *turned = self._run_cached(device, test.inputs)
+        pairs = ((low, middle), (middle, high), *((middle, own) for own in turned))
+        below, above, *changes = (_subtract(*pair, device, device, test) for pair in pairs)
+        log = test.log
+        turns = ANGLE_SHIFT * (np.arange(len(log.time)) + 1) / len(log.time)
+        free = FreePattern(log.drive_on <= 0, turns, changes[0]) if changes else None
+        return compute_derivatives(device.bryan_factor, below, above, free)
 
     def _run_cached(self, device: Device, inputs: ReplayInputs) -> Sequence[ChannelValues]:
         """`_run_coarse` with the start angle shifted by `-ANGLE_SHIFT`, nothing and `ANGLE_SHIFT`,
-        together; recent results are kept."""
+        and where the drive is off at a rate that makes the same turn, together; recent results are
+        kept."""
         device = take_out_scales(device)
         angles = (inputs.start_angle + shift for shift in (-ANGLE_SHIFT, 0.0, ANGLE_SHIFT))
-        runs = [(device, replace(inputs, start_angle=angle)) for angle in angles]
+        shifted = [replace(inputs, start_angle=angle) for angle in angles]
+        if not inputs.log.drive_on.all():
+            rate = ANGLE_SHIFT / (len(inputs.log.time) * inputs.log.interval)
+            table = replace(inputs.table, rates=inputs.table.rates + rate)
+            shifted.append(replace(inputs, table=table))
+        runs = [(device, own) for own in shifted]
         return self._keep(device, inputs, lambda: self._run_coarse(runs))
 
     def _keep(

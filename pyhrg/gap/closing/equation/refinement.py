@@ -25,9 +25,10 @@ from pyhrg.gap.effects.term_columns import compute_response
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2, rank_with_forms
 from pyhrg.gap.evidence.posterior import Posterior, compare_noises
+from pyhrg.gap.replay.angle_derivatives import MIN_REMAINING_SHIFT
 from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.replay.sampled import replay_sampled_together
-from pyhrg.gap.replay.simulation import MIN_REMAINING_SHIFT, ChannelValues, Simulation, add_channels
+from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels
 from pyhrg.gap.whitening.campaign_noise import CampaignNoise
 
 TermSizes = Mapping[CandidateTerm, Array]

@@ -1,0 +1,75 @@
+"""Derivatives of a replay by the present pattern angle (docs/methods/replay.md, Eqs. 7, 7a)."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from pyhrg.common.arrays import Array
+from pyhrg.gap.replay.observations import CHANNELS, Mask
+
+ANGLE_SHIFT = 1e-3
+"""Shift of the start angle to either side for derivatives by the pattern angle, rad; and the turn
+of a pattern at a constant rate until the end of a test. Chosen."""
+MIN_REMAINING_SHIFT = 0.5
+"""Share of a shift of the start angle that must remain for a derivative by it. Chosen."""
+
+
+@dataclass(frozen=True)
+class AngleDerivatives:
+    """Derivatives of a replay by the pattern's present angle.
+
+    That of the output angle is by the start angle instead: what a bias that depends on the angle
+    makes of a shift, over the angular gain.
+
+    slopes: (n,) first derivatives by channel, SI/rad. A free pattern's amplitude has that by an
+        angle that grew evenly since power-on.
+    curvatures: (n,) second derivatives by channel, SI/rad^2.
+    free_turns: (n,) output angle of a constant rate, over that where no angle makes a bias, in rows
+        with a free pattern; 1 in all others.
+    """
+
+    slopes: Mapping[str, Array]
+    curvatures: Mapping[str, Array]
+    free_turns: Array
+
+
+@dataclass(frozen=True)
+class FreePattern:
+    """Change of a replay by a small constant rate, where the drive is off in some rows.
+
+    is_free: (n,) rows in which it is.
+    turns: (n,) angle by which the rate turns the case until each row's end, rad.
+    changes: (n,) by channel, SI.
+    """
+
+    is_free: Mask
+    turns: Array
+    changes: Mapping[str, Array]
+
+
+def compute_derivatives(
+    bryan_factor: float,
+    below: Mapping[str, Array],
+    above: Mapping[str, Array],
+    free: FreePattern | None,
+) -> AngleDerivatives:
+    """From the changes, (n,) by channel, from a start angle that is lower by the shift to the
+    present one, and from there to one that is higher. A free pattern keeps its quadrature, so that
+    its amplitude and its turn depend on all angles since the drive went off."""
+    slopes = {name: (below[name] + above[name]) / (2 * ANGLE_SHIFT) for name in CHANNELS}
+    growth = 1 - bryan_factor * slopes["gyro_angle"]
+    remains = growth > MIN_REMAINING_SHIFT
+    shift = np.where(remains, growth, 1.0)
+    now = {n: s if n == "gyro_angle" else s / shift for n, s in slopes.items()}
+    bends = {name: (above[name] - below[name]) / ANGLE_SHIFT**2 for name in CHANNELS}
+    turned = bryan_factor * np.where(remains, bends["gyro_angle"], 0.0)
+    curvatures = {n: (b + now[n] * turned) / shift**2 for n, b in bends.items()}
+    free_turns = np.ones(len(shift))
+    if free:
+        is_free, angle = free.is_free, free.changes["gyro_angle"]
+        free_turns[is_free] = angle[is_free] / free.turns[is_free]
+        by_turn = -free.changes["amplitude"][is_free] / (bryan_factor * angle[is_free])
+        now["amplitude"] = now["amplitude"].copy()
+        now["amplitude"][is_free] = by_turn
+    return AngleDerivatives(now, curvatures, free_turns)

@@ -182,10 +182,10 @@ def _linearize(
     for effect, own in columns.items():
         for name in CHANNELS if effect in truth else ():
             response[name] += own[name] @ truth[effect]
-    where = compute_coordinates(test, vars(test.log), device)
-    slopes = simulation.differentiate_by_angle(device, test).slopes
+    by_angle = simulation.differentiate_by_angle(device, test)
+    where = compute_coordinates(test, vars(test.log), device, by_angle.free_turns)
     answers = {name: getattr(test.log, name) for name in CHANNELS}
-    return LinearTest(test, device, answers, response, columns, where, slopes)
+    return LinearTest(test, device, answers, response, columns, where, by_angle.slopes)
 
 
 def _compute_information(tests: Design, groups: Sequence[Group], unit: Design) -> Array:

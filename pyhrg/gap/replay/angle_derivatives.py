@@ -70,6 +70,5 @@ def compute_derivatives(
         is_free, angle = free.is_free, free.changes["gyro_angle"]
         free_turns[is_free] = angle[is_free] / free.turns[is_free]
         by_turn = -free.changes["amplitude"][is_free] / (bryan_factor * angle[is_free])
-        now["amplitude"] = now["amplitude"].copy()
         now["amplitude"][is_free] = by_turn
     return AngleDerivatives(now, curvatures, free_turns)

@@ -42,18 +42,18 @@ def build_causes(result: CampaignDiagnosis) -> str:
         listed = [(html.escape(w), format_percent(p)) for w, p in diagnosis.unnamed.items()]
         parts.append(build_table("Outside the catalogue", ("Depends on", "Probability"), listed))
     if diagnosis.within_tolerance:
-        columns = ("Parameter", "Value (95 % interval)", "Stated", "Tolerance", "Unit")
+        columns = ("Effect", "Parameter", "Value (95 % interval)", "Stated", "Tolerance", "Unit")
         off = [_make_known_row(known) for known in diagnosis.within_tolerance]
         parts.append(build_table("Off within tolerance", columns, off))
     return "".join(parts)
 
 
 def _make_known_row(known: KnownValue) -> tuple[str, ...]:
-    _, unit, scale = parse_parameter(known.parameter)
+    words, unit, scale = parse_parameter(known.parameter)
     value, *interval = (scale * number for number in (known.value, *known.interval_95))
     stated, tolerance = (format_number(scale * size) for size in (known.stated, known.tolerance))
-    name = html.escape(format_effect(known.name))
-    return name, format_interval(value, *interval), stated, tolerance, unit
+    names = (html.escape(name) for name in (format_effect(known.name), words))
+    return *names, format_interval(value, *interval), stated, tolerance, unit
 
 
 def _make_rows(cause: Cause, result: CampaignDiagnosis) -> list[tuple[str, ...]]:

@@ -102,11 +102,10 @@ def compute_record_residuals(
     simulation: Simulation, device: Device, test: ObservedTest, answers: ChannelValues
 ) -> Residuals:
     """Record less simulation, channels other than the angle where the pattern is as measured."""
-    over_angle = simulation.differentiate_by_angle(device, test)
+    by_angle = simulation.differentiate_by_angle(device, test)
     residuals = {name: getattr(test.log, name) - answers[name] for name in CHANNELS}
     turned = device.bryan_factor * residuals["gyro_angle"]
     for name in CHANNELS[1:]:
-        seen = see_angles(name, turned)
-        at_angle = residuals[name] + over_angle.slopes[name] * seen
-        residuals[name] = at_angle - over_angle.curvatures[name] * seen**2 / 2
+        bend = by_angle.curvatures[name] * see_angles(name, turned) ** 2 / 2
+        residuals[name] = residuals[name] + by_angle.turn(name, turned, test.log) - bend
     return {name: np.where(test.rows[name], residuals[name], np.nan) for name in CHANNELS}

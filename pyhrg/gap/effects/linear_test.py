@@ -15,10 +15,11 @@ from pyhrg.gap.effects.coordinates import Coordinates
 from pyhrg.gap.effects.form import Form, build_form_columns, build_reading_columns
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.term_columns import build_term_columns
+from pyhrg.gap.replay.angle_derivatives import AngleDerivatives
 from pyhrg.gap.replay.carrier_terms import compute_carrier_terms
 from pyhrg.gap.replay.inputs.table_steps import shape_rounding_errors
 from pyhrg.gap.replay.inputs.thermometer import estimate_thermometer_noise
-from pyhrg.gap.replay.observations import ObservedTest, see_angles
+from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.recorder import list_read_out_fields
 from pyhrg.gap.soundness.origin import is_origin_set
 from pyhrg.gap.whitening.campaign_noise import CampaignNoise
@@ -80,7 +81,7 @@ class LinearTest:
     residual: (n,) by channel, record less simulation, referred to the nominal device.
     sensitivities: (n, d) by channel, for each effect: change of a channel per unit of its vector.
     where: coordinates of the rows.
-    slopes: (n,) by channel: derivative of a channel by the pattern angle, per rad.
+    by_angle: derivatives of the channels by the pattern angle.
     kept: last whitened series of a channel, with their noise.
     """
 
@@ -90,7 +91,7 @@ class LinearTest:
     residual: Mapping[str, Array]
     sensitivities: Mapping[Effect, Mapping[str, Array]]
     where: Coordinates
-    slopes: Mapping[str, Array]
+    by_angle: AngleDerivatives
     kept: dict[str, tuple[Hashable, _WhitenedBase]] = field(
         default_factory=dict, init=False, compare=False, repr=False
     )
@@ -134,7 +135,7 @@ class LinearTest:
         for channel, slope in compute_temperature_slopes(device).items():
             shapes[channel] = shapes[channel] + slope * kelvin
         if is_origin_set(self.test.test.log, self.device.site) or self._begins_elsewhere():
-            origin = shape_origin(self.bryan_factor, self.slopes["gyro_angle"])
+            origin = shape_origin(self.bryan_factor, self.by_angle.slopes["gyro_angle"])
             shapes["gyro_angle"] = MAX_ORIGIN * origin
         table = self.test.log.table_angle
         if (rounding := shape_rounding_errors(table, self.test.encoder_step)).size:
@@ -161,11 +162,10 @@ class LinearTest:
         """
         if channel == "gyro_angle":
             return series
+        log = self.test.log
         if is_coarsely_quantized(self.device):
-            log = self.test.log
             angles = smooth_readings(angles, np.isfinite(log.gyro_angle), log.interval, self.device)
-        turned = self.bryan_factor * see_angles(channel, angles)
-        return series + self.slopes[channel][:, None] * turned
+        return series + self.by_angle.turn(channel, self.bryan_factor * angles, log)
 
 
 def whiten_terms(

@@ -42,7 +42,7 @@ def linearize_test(
     for name in CHANNELS[1:]:
         seen = see_angles(name, turned)
         residual[name] = residual[name] - by_angle.curvatures[name] * seen**2 / 2
-    return LinearTest(test, device, simulated, residual, sensitivities, where, by_angle.slopes)
+    return LinearTest(test, device, simulated, residual, sensitivities, where, by_angle)
 
 
 def compute_sensitivities(

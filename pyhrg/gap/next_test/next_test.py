@@ -185,7 +185,7 @@ def _linearize(
     by_angle = simulation.differentiate_by_angle(device, test)
     where = compute_coordinates(test, vars(test.log), device, by_angle.free_turns)
     answers = {name: getattr(test.log, name) for name in CHANNELS}
-    return LinearTest(test, device, answers, response, columns, where, by_angle.slopes)
+    return LinearTest(test, device, answers, response, columns, where, by_angle)
 
 
 def _compute_information(tests: Design, groups: Sequence[Group], unit: Design) -> Array:

@@ -1,4 +1,4 @@
-"""Derivatives of a replay by the present pattern angle (docs/methods/replay.md, Eqs. 7, 7a)."""
+"""Derivatives of a replay by the present pattern angle (docs/methods/replay.md, Eqs. 7 to 7b)."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from pyhrg.common.arrays import Array
-from pyhrg.gap.replay.observations import CHANNELS, Mask
+from pyhrg.gap.replay.observations import CHANNELS, Mask, see_angles
+from pyhrg.records import Log
 
 ANGLE_SHIFT = 1e-3
 """Shift of the start angle to either side for derivatives by the pattern angle, rad; and the turn
@@ -27,11 +28,24 @@ class AngleDerivatives:
     curvatures: (n,) second derivatives by channel, SI/rad^2.
     free_turns: (n,) output angle of a constant rate, over that where no angle makes a bias, in rows
         with a free pattern; 1 in all others.
+    origins: (n,) derivative of a free pattern's amplitude by the start angle, less what `slopes`
+        make of the shift that it leaves, SI/rad; 0 in all other rows.
     """
 
     slopes: Mapping[str, Array]
     curvatures: Mapping[str, Array]
     free_turns: Array
+    origins: Array
+
+    def turn(self, channel: str, angles: Array, log: Log) -> Array:
+        """(n, ...) first-order change of a channel from the simulated pattern angle to one that is
+        (n, ...) `angles` further. What the first reading has was there from the start."""
+        seen = see_angles(channel, angles)
+        change = (self.slopes[channel] * seen.T).T
+        if channel == "amplitude":
+            first = angles[np.argmax(np.isfinite(log.gyro_angle))]
+            change = change + np.multiply.outer(self.origins, first)
+        return np.asarray(change)
 
 
 @dataclass(frozen=True)
@@ -65,10 +79,12 @@ def compute_derivatives(
     bends = {name: (above[name] - below[name]) / ANGLE_SHIFT**2 for name in CHANNELS}
     turned = bryan_factor * np.where(remains, bends["gyro_angle"], 0.0)
     curvatures = {n: (b + now[n] * turned) / shift**2 for n, b in bends.items()}
-    free_turns = np.ones(len(shift))
+    free_turns, origins = np.ones(len(shift)), np.zeros(len(shift))
     if free:
         is_free, angle = free.is_free, free.changes["gyro_angle"]
         free_turns[is_free] = angle[is_free] / free.turns[is_free]
-        by_turn = -free.changes["amplitude"][is_free] / (bryan_factor * angle[is_free])
-        now["amplitude"][is_free] = by_turn
-    return AngleDerivatives(now, curvatures, free_turns)
+        by_turn = now["amplitude"].copy()
+        by_turn[is_free] = -free.changes["amplitude"][is_free] / (bryan_factor * angle[is_free])
+        origins[is_free] = (slopes["amplitude"] - by_turn * growth)[is_free]
+        now["amplitude"] = by_turn
+    return AngleDerivatives(now, curvatures, free_turns, origins)

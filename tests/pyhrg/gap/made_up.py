@@ -1,4 +1,4 @@
-"""Designs of made-up columns, white noise of one."""
+"""Designs of made-up columns, white noise of one; a gyro for which no angle matters."""
 
 from collections.abc import Mapping
 
@@ -7,6 +7,13 @@ import numpy as np
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.design import Block, Design
 from pyhrg.gap.effects.linear_test import Group
+from pyhrg.gap.replay.angle_derivatives import AngleDerivatives
+from pyhrg.gap.replay.observations import CHANNELS
+
+
+def flat_derivatives(rows: int) -> AngleDerivatives:
+    nothing = dict.fromkeys(CHANNELS, np.zeros(rows))
+    return AngleDerivatives(nothing, nothing, np.ones(rows), np.zeros(rows))
 
 
 def design_of(

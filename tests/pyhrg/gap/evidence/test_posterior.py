@@ -23,6 +23,7 @@ from pyhrg.gap.replay.observations import CHANNELS, observe_test
 from pyhrg.gap.whitening.channel_noise import build_angle_noise
 from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel, draw_noise
 from pyhrg.records.campaign import Test
+from tests.pyhrg.gap.made_up import flat_derivatives
 from tests.pyhrg.records.made_up import made_up_log
 
 BELIEVED = Device(angle_random_walk=3e-4 * DEG_PER_SQRT_H, angle_white_noise=0.036 * ARCSEC)
@@ -42,14 +43,13 @@ def part_of(angle: Array, seed: int) -> LinearTest:
     test = observe_test(Test(f"test-{seed}", "static", "fit", made_up_log(ROWS)), BELIEVED)
     generator = np.random.default_rng(seed)
     residual = {name: generator.normal(0, WHITE, ROWS) for name in CHANNELS}
-    nothing = {name: np.zeros(ROWS) for name in CHANNELS}
     sensitivities: dict[Effect, dict[str, Array]] = {
         SILENT: {n: np.zeros((ROWS, 1)) for n in CHANNELS}
     }
     where = compute_coordinates(test, vars(test.log), BELIEVED)
     left = {**residual, "gyro_angle": angle}
     simulated = {name: getattr(test.log, name) - left[name] for name in CHANNELS}
-    return LinearTest(test, BELIEVED, simulated, left, sensitivities, where, nothing)
+    return LinearTest(test, BELIEVED, simulated, left, sensitivities, where, flat_derivatives(ROWS))
 
 
 def parts_of(noise: NoiseModel, seed: int, added: Array) -> list[LinearTest]:

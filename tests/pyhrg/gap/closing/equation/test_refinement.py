@@ -11,6 +11,7 @@ from pyhrg.gap.effects.linear_test import LinearTest
 from pyhrg.gap.effects.term_columns import compute_response
 from pyhrg.gap.replay.observations import CHANNELS, observe_test
 from pyhrg.records.campaign import Test
+from tests.pyhrg.gap.made_up import flat_derivatives
 from tests.pyhrg.gap.soundness.conftest import NOMINAL
 from tests.pyhrg.records.made_up import made_up_log
 
@@ -30,8 +31,8 @@ def test_a_ring_down_that_damps_itself_is_foreseen() -> None:
         "amplitude": np.exp(-log.time / NOMINAL.decay_time),
     }
     where = compute_coordinates(observed, simulated, NOMINAL)
-    slopes = dict.fromkeys(CHANNELS, nothing)
-    part = LinearTest(observed, NOMINAL, simulated, simulated, {}, where, slopes)
+    by_angle = flat_derivatives(ROWS)
+    part = LinearTest(observed, NOMINAL, simulated, simulated, {}, where, by_angle)
     term = CandidateTerm("amplitude_force", "amplitude", "amplitude squared")
     sizes = {term: np.array([DAMPING])}
     linear = compute_response(where, "amplitude", sizes)

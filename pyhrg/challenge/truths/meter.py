@@ -3,7 +3,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property, partial
 
 import numpy as np
@@ -20,6 +20,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD
 from pyhrg.gap.effects.catalogue import DETERMINISTIC, EFFECTS, NOISE_EFFECTS, Effect, NoiseEffect
+from pyhrg.gap.replay.angle_derivatives import AngleDerivatives
 from pyhrg.gap.replay.carrier_terms import compute_carrier_terms
 from pyhrg.gap.replay.free_pattern import NOISE_GROWTH_LIMIT
 from pyhrg.gap.replay.inputs.inputs import ReplayInputs, prepare_inputs
@@ -28,7 +29,6 @@ from pyhrg.gap.replay.observations import (
     COARSE_STEP,
     Mask,
     observe_test,
-    see_angles,
 )
 from pyhrg.gap.replay.replay import replay_inputs
 from pyhrg.gap.replay.sampled import is_short
@@ -46,8 +46,6 @@ LOG_SIZE_RANGE = (math.log(1e-4), math.log(10.0))
 """Range of a noise over its scale that is searched, natural logarithms."""
 MIN_FORCE = 1e-9
 """Smallest force that another is divided by, 1/s."""
-SLOPE_SHIFTS = (-1e-3, 1e-3)
-"""Pattern angles between which a slope is taken, rad."""
 Residual = dict[str, Array]
 """(n,) by channel."""
 
@@ -58,15 +56,14 @@ class NominalTest:
 
     Attributes:
         rows: (n,) by channel: rows that are compared.
-        slopes: (n,) by channel: change of the simulated channel with the present pattern angle, per
-            rad; zero for the output angle.
+        by_angle: derivatives of the simulated channels by the pattern angle.
         carrier_terms: (n,) by channel: what the average over a carrier period leaves out. A record
             may contain it or not, so it counts as noise of this shape.
     """
 
     log: Log
     rows: Mapping[str, Mask]
-    slopes: Mapping[str, Array]
+    by_angle: AngleDerivatives
     carrier_terms: Mapping[str, Array]
 
 
@@ -229,17 +226,13 @@ class Meter:
 
     def _prepare_nominal_test(self, log: Log) -> NominalTest:
         test = observe_test(Test("", "", "fit", log), self.nominal)
-        ends = [replace(test.inputs, start_angle=test.inputs.start_angle + s) for s in SLOPE_SHIFTS]
-        low, high = (self._replay(inputs) for inputs in ends)
-        slopes = {name: (high[name] - low[name]) / np.ptp(SLOPE_SHIFTS) for name in CHANNELS}
-        shift = 1 - self.nominal.bryan_factor * slopes["gyro_angle"]
-        off = (log.drive_on <= 0) & (np.abs(shift - 1) > NOISE_GROWTH_LIMIT)
+        by_angle = self.simulation.differentiate_by_angle(self.nominal, test)
+        growth = self.nominal.bryan_factor * by_angle.slopes["gyro_angle"]
+        off = (log.drive_on <= 0) & (np.abs(growth) > NOISE_GROWTH_LIMIT)
         kept = ~np.logical_or.accumulate(off)
         rows = {name: test.rows[name] & kept for name in CHANNELS}
-        now = {name: slope / np.where(kept, shift, 1.0) for name, slope in slopes.items()}
-        slopes = {**now, "gyro_angle": np.zeros(len(log.time))}
         out = _scale_force(log, compute_carrier_terms(self.nominal, test, log.wave_angle))
-        return NominalTest(log, rows, slopes, out)
+        return NominalTest(log, rows, by_angle, out)
 
     @cached_property
     def _expected(self) -> list[Residual]:
@@ -252,10 +245,9 @@ class Meter:
         answer = self._replay(prepare_inputs(log, self.nominal, thermometer_noise=noise))
         residual = {name: getattr(log, name) - answer[name] for name in CHANNELS}
         turned = self.nominal.bryan_factor * residual["gyro_angle"]
-        at_angle = {
-            name: residual[name] + test.slopes[name] * see_angles(name, turned) for name in CHANNELS
-        }
-        return _scale_force(log, at_angle)
+        for name in CHANNELS[1:]:
+            residual[name] = residual[name] + test.by_angle.turn(name, turned, log)
+        return _scale_force(log, residual)
 
     def sigmas_of_noise(self, device: Device, against: Device | None = None) -> float:
         """Strength of a device's noise beyond that of another device, the nominal one by default

@@ -11,16 +11,19 @@ from typing import TypeGuard
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, Family
-from pyhrg.gap.effects.catalogue import Effect
+from pyhrg.gap.effects.catalogue import Effect, NoiseEffect
 from pyhrg.gap.effects.design import build_design, measure_power, select_groups
 from pyhrg.gap.effects.form import Form, find_forms
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.known_parameters import KnownParameters
 from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.evidence.evidence import Fit, fit
-from pyhrg.gap.evidence.hypothesis import NO_ERROR, FormError, Hypothesis, rank_under_noise
+from pyhrg.gap.evidence.hypothesis import FormError, Hypothesis, rank_under_noise
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
-from pyhrg.gap.evidence.search import list_prior_log_odds
+from pyhrg.gap.evidence.noise.noise_search import fit_rival_noises
+from pyhrg.gap.evidence.residuals import compute_residuals
+from pyhrg.gap.evidence.search import MAX_GROUPS, list_prior_log_odds
+from pyhrg.gap.whitening.channel_noise import build_angle_noise
 
 FORM_ERROR = 0.03
 """Standard deviation of each form's size, over the magnitude of the cause. Chosen."""
@@ -33,23 +36,50 @@ NEGLIGIBLE_CHI2 = 1.0
 
 
 def rank_with_forms(
+    noise: NoiseHypothesis, nominal: Device, parts: Sequence[LinearTest], start: Hypothesis
+) -> Hypothesis:
+    """Rank sets under a noise beside the forms of the causes for which terms stand. The search
+    starts from a hypothesis."""
+    known = start.ranking.best.groups
+    first = rank_under_noise(noise, nominal, parts, start=known, forms=start.forms)
+    return _settle_forms({first.forms.terms: first}, first, first.ranking.best, nominal, parts)
+
+
+def rank_anew(
     noise: NoiseHypothesis,
     nominal: Device,
     parts: Sequence[LinearTest],
-    start: Hypothesis | None = None,
+    noises: Sequence[NoiseEffect],
 ) -> Hypothesis:
-    """Rank sets under a noise beside the forms of the causes for which terms stand. The search may
-    start from a hypothesis. Without one, and where the most probable set has terms, it also starts
-    from the single term that explains most beside its own forms: a swarm of effects and terms may
-    explain about as much as one cause."""
-    forms, known = (start.forms, start.ranking.best.groups) if start else (NO_ERROR, ())
-    first = rank_under_noise(noise, nominal, parts, start=known, forms=forms)
+    """`rank_with_forms` without a hypothesis to start from.
+
+    A set that is full is a swarm; where more noise is more probable than it, sets are ranked under
+    that. Where the most probable set has terms, the search also starts from the single term that
+    explains most beside its own forms: a swarm of effects and terms may explain about as much as
+    one cause."""
+    first = rank_under_noise(noise, nominal, parts)
+    if len(first.ranking.best.groups) == MAX_GROUPS:
+        rival = rank_under_noise(_fit_noise(first, nominal, parts, noises), nominal, parts)
+        first = max(first, rival, key=lambda h: h.log_posterior)
     ranked = {first.forms.terms: first}
     rivals = [_settle_forms(ranked, first, first.ranking.best, nominal, parts)]
-    if not start and any(map(_is_term, first.ranking.best.groups)):
+    if any(map(_is_term, first.ranking.best.groups)):
         single = _fit_single_cause(first, parts)
         rivals.append(_settle_forms(ranked, first, single, nominal, parts))
     return max(rivals, key=lambda h: h.log_posterior)
+
+
+def _fit_noise(
+    first: Hypothesis,
+    nominal: Device,
+    parts: Sequence[LinearTest],
+    noises: Sequence[NoiseEffect],
+) -> NoiseHypothesis:
+    """The most probable noise beside the effects of a hypothesis, without its terms."""
+    removed = dict[Group, Array](first.effect_sizes.items())
+    noise, error = first.channel_noise, first.design.model_error
+    residuals = compute_residuals(parts, removed, noise, nominal, ("gyro_angle",), error)
+    return fit_rival_noises(residuals, build_angle_noise(nominal), noises)[0]
 
 
 def _is_term(group: Group) -> TypeGuard[CandidateTerm]:

@@ -17,7 +17,12 @@ from pyhrg.gap.effects.catalogue import Catalogue, Effect
 from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.effects.sensitivities import compute_sensitivities, linearize_test
 from pyhrg.gap.evidence.attribution import Attribution
-from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2, list_large_terms, rank_with_forms
+from pyhrg.gap.evidence.form_error import (
+    NEGLIGIBLE_CHI2,
+    list_large_terms,
+    rank_anew,
+    rank_with_forms,
+)
 from pyhrg.gap.evidence.hypothesis import Hypothesis, estimate_nominal_noise, rank_roughly
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
@@ -232,11 +237,15 @@ class _Iteration:
         nominal, error = self._nominal, self._linearization_error
         if error:
             return rank_roughly(self.noise, nominal, self.parts, error)
-        hypothesis = rank_with_forms(self.noise, nominal, self.parts, self._last_exact)
+        noises, last = self._catalogue.noises, self._last_exact
+        if last:
+            hypothesis = rank_with_forms(self.noise, nominal, self.parts, last)
+        else:
+            hypothesis = rank_anew(self.noise, nominal, self.parts, noises)
         for _ in range(MAX_PERIODS):
             if not self._take_period(hypothesis):
                 break
-            hypothesis = rank_with_forms(self.noise, nominal, self.parts)
+            hypothesis = rank_anew(self.noise, nominal, self.parts, noises)
         self._last_exact = hypothesis
         return hypothesis
 

@@ -53,12 +53,12 @@ def rank_anew(
 ) -> Hypothesis:
     """`rank_with_forms` without a hypothesis to start from.
 
-    A set that is full is a swarm; where more noise is more probable than it, sets are ranked under
-    that. Where the most probable set has terms, the search also starts from the single term that
-    explains most beside its own forms: a swarm of effects and terms may explain about as much as
-    one cause."""
+    Where more noise is more probable than a swarm, sets are ranked under that. Where the most
+    probable set has terms, the search also starts from the single term that explains most beside
+    its own forms: a swarm of effects and terms may explain about as much as one cause.
+    """
     first = rank_under_noise(noise, nominal, parts)
-    if len(first.ranking.best.groups) == MAX_GROUPS:
+    if _is_swarm(first.ranking.best):
         rival = rank_under_noise(_fit_noise(first, nominal, parts, noises), nominal, parts)
         first = max(first, rival, key=lambda h: h.log_posterior)
     ranked = {first.forms.terms: first}
@@ -80,6 +80,11 @@ def _fit_noise(
     noise, error = first.channel_noise, first.design.model_error
     residuals = compute_residuals(parts, removed, noise, nominal, ("gyro_angle",), error)
     return fit_rival_noises(residuals, build_angle_noise(nominal), noises)[0]
+
+
+def _is_swarm(best: Fit) -> bool:
+    """Whether a set is full: its terms stand for no cause."""
+    return len(best.groups) == MAX_GROUPS
 
 
 def _is_term(group: Group) -> TypeGuard[CandidateTerm]:
@@ -122,9 +127,11 @@ def _settle_forms(
     """Rank sets again beside the forms of the causes for which the terms of a set stand, then of
     the most probable set without the terms that forms make needless, until these terms stay. Forms
     of one more cause are allowed at a time, the strongest first: what one term misses may look like
-    many others. Where sets come back, the most probable hypothesis is kept.
+    many others. Where sets come back, the most probable hypothesis is kept. A swarm has no forms.
     `ranked` are hypotheses by the terms that have forms; new ones are added."""
     hypothesis = first
+    if _is_swarm(best):
+        return first
     for _ in range(MAX_ROUNDS):
         forms = _allow_forms(best, hypothesis, parts)
         if forms.terms == hypothesis.forms.terms:

@@ -1,6 +1,7 @@
 """Checks of the amplitude and its force against the set point and the decay time."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
@@ -8,6 +9,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.soundness.exclusion import Exclusion, NominalEstimate, exclude_columns, find_runs
 from pyhrg.records import Log
+from pyhrg.records.campaign import INDEX, Campaign
 
 AMPLITUDE_TOLERANCE = 0.1
 """Relative departure of the median amplitude from its set point above which the column is wrong.
@@ -19,6 +21,20 @@ TEMPERATURE_RANGE = 10.0
 """Departure from the reference temperature up to which a decay time is estimated, K. Chosen."""
 MIN_RING_DOWN = 50.0
 """Shortest ring-down from which a decay time is estimated, s. Chosen."""
+
+
+def mend_nominal_amplitude(campaign: Campaign) -> tuple[Campaign, list[str]]:
+    """The campaign with the amplitude at which its logs begin, and a sentence where it states
+    another: a gyro is held at its set point. An amplitude test may begin elsewhere."""
+    logs = [test.log for test in campaign.tests if test.kind != "amplitude"]
+    held = {float(log.amplitude_setpoint[0]) for log in logs}
+    stated = campaign.nominal.get("amplitude", 1.0)
+    if len(held) != 1 or held == {stated}:
+        return campaign, []
+    (amplitude,) = held
+    sentence = f"{INDEX}: nominal.amplitude: {stated:g}, but every log begins with a set point of "
+    nominal = {**campaign.nominal, "amplitude": amplitude}
+    return replace(campaign, nominal=nominal), [f"{sentence}{amplitude:g}, which is taken"]
 
 
 def check_amplitude(log: Log) -> list[Exclusion]:

@@ -33,6 +33,7 @@ from pyhrg.gap.soundness.resonator import (
     check_amplitude,
     check_swapped_forces,
     estimate_decay_time,
+    mend_nominal_amplitude,
 )
 from pyhrg.records import Log, LogError
 from pyhrg.records.campaign import INDEX, Campaign, CampaignError, Test
@@ -140,7 +141,8 @@ def screen_campaign(campaign: Campaign) -> Screening:
     if not any(test.is_holdout for test in tests):
         notes.append("no test is held out: a diagnosis can't be verified")
     faults = (*mounting, *sum_log_faults([each.faults for each in screened]))
-    return Screening(replace(campaign, tests=tuple(tests)), tuple(notes), faults)
+    usable, amplitude = mend_nominal_amplitude(replace(campaign, tests=tuple(tests)))
+    return Screening(usable, (*notes, *amplitude), faults)
 
 
 def build_nominal_device(campaign: Campaign) -> Device:

@@ -59,6 +59,15 @@ def test_no_noise_is_excluded(slow_fmu: GyroFmu, noise: NoiseEffect) -> None:
     assert_unchanged(record_campaign(slow_fmu, replace(NOMINAL, **loud)))
 
 
+def test_a_gyro_is_held_at_the_set_point_of_its_logs(error_free: Campaign) -> None:
+    """Started at another amplitude, its first seconds were read as a filter delay."""
+    amplitude = build_nominal_device(error_free).amplitude
+    stated = replace(error_free, nominal={**error_free.nominal, "amplitude": 1.05 * amplitude})
+    screened, (sentence,), _ = screen_campaign(stated)
+    assert build_nominal_device(screened) == build_nominal_device(error_free)
+    assert f"{1.05 * amplitude:g}, but every log begins with a set point of" in sentence
+
+
 def test_coarse_and_badly_timed_logs_are_unchanged(error_free: Campaign) -> None:
     def coarse(log: Log) -> Log:
         later = log.wave_angle + 5e-3 * np.gradient(log.wave_angle, log.interval)

@@ -14,12 +14,14 @@ from dataclasses import replace
 from pathlib import Path
 
 from pyhrg.common.errors import HrgError
-from pyhrg.common.units import DEG
+from pyhrg.common.units import DEG, HZ
 from pyhrg.gap.diagnose import diagnose
 from pyhrg.gap.replay.simulation import load_simulation
 from pyhrg.records.campaign import Campaign, read_campaign
 
 Misstate = Callable[[Campaign], Campaign]
+FREQUENCY_ERROR = 50.0
+"""Hz."""
 
 
 def scale(factor: float, *names: str) -> Misstate:
@@ -47,12 +49,25 @@ def move_site(campaign: Campaign) -> Campaign:
     return replace(campaign, site=replace(site, latitude=site.latitude + 5 * DEG))
 
 
+def misstate_frequency(campaign: Campaign) -> Campaign:
+    """What the logs state counts from the nominal frequency."""
+    tests = []
+    for test in campaign.tests:
+        offset = test.log.frequency_offset - FREQUENCY_ERROR * HZ
+        tests.append(replace(test, recording=replace(test.log, frequency_offset=offset)))
+    nominal = {
+        **campaign.nominal,
+        "frequency_Hz": campaign.nominal["frequency_Hz"] + FREQUENCY_ERROR,
+    }
+    return replace(campaign, nominal=nominal, tests=tuple(tests))
+
+
 LOOPS = ("amplitude_loop_rad_s", "quadrature_loop_rad_s", "phase_loop_rad_s")
 NOISES = ("angle_random_walk_deg_sqrt_h", "angle_white_noise_arcsec")
 MISSTATED: dict[str, Misstate] = {
     "nothing": lambda c: c,
     "decay time 12 % high": scale(1.12, "decay_time_s"),
-    "frequency 50 Hz high": add("frequency_Hz", 50.0),
+    "frequency 50 Hz high": misstate_frequency,
     "all loops 30 % fast": scale(1.3, *LOOPS),
     "frequency's temperature coefficient 10 % high": scale(
         1.1, "frequency_temperature_coefficient_per_K"

@@ -24,9 +24,12 @@ TILT_TOLERANCE = 0.1
 than 5 deg."""
 MAX_DEPARTING_SHARE = 0.1
 """Share of rows that may depart from axis_up, by vibration or a moving table. Chosen."""
-FREQUENCY_TOLERANCE = 3e-3
-"""Relative departure of the frequency above which the records are another gyro's. Chosen: three
-times the tolerance of a nominal frequency."""
+FREQUENCY_TOLERANCE = 1e-2
+"""Relative departure of the frequency above which the records are another gyro's. Chosen: ten times
+the tolerance of a nominal frequency."""
+TELLING_FREQUENCY_TOLERANCE = 3e-3
+"""Relative departure of the frequency up to which it tells a wrong temperature. Chosen: three times
+the tolerance of a nominal frequency."""
 COEFFICIENT_TOLERANCE = 0.3
 """Relative error allowed in a stated temperature coefficient of the frequency. Chosen."""
 UNSTATED_COEFFICIENT = 2e-4
@@ -68,8 +71,8 @@ def check_temperature(log: Log, nominal: Device) -> list[Exclusion]:
     change = float(np.nanmedian(log.temperature)) - nominal.reference_temperature
     offset = float(np.nanmedian(log.frequency_offset)) / nominal.frequency
     expected = nominal.frequency_per_kelvin * change
-    allowed = FREQUENCY_TOLERANCE + COEFFICIENT_TOLERANCE * abs(expected)
-    if abs(offset) > FREQUENCY_TOLERANCE or abs(offset - expected) <= allowed:
+    allowed = TELLING_FREQUENCY_TOLERANCE + COEFFICIENT_TOLERANCE * abs(expected)
+    if abs(offset) > TELLING_FREQUENCY_TOLERANCE or abs(offset - expected) <= allowed:
         return []
     hertz = nominal.frequency / HZ
     trouble = f"{change:+.3g} K from the reference, but the loop's frequency is off by "

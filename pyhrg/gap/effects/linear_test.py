@@ -122,18 +122,18 @@ class LinearTest:
 
     @cached_property
     def unmodelled(self) -> Mapping[str, Array]:
-        """(n,) or (n, m) shapes by channel that the simulation lacks, of a size up to about 1: the
-        next order of the carrier's average, and of the thermometer's lag; in the output angle its
-        origin, with which the pattern's start is wrong too, the encoder's rounding,
-        and what the thermometer's noise makes of it (docs/methods/whitening.md, Eqs. 18 to 19).
+        """(n,) or (n, m) shapes by channel that the simulation lacks, each of a size up to about 1:
+        the next order of the carrier's average, and of the thermometer's lag; in the output angle
+        its origin, with which the pattern's start is wrong too, the encoder's rounding, and what
+        the thermometer's noise makes of it (docs/methods/whitening.md, Eqs. 18 to 19).
         """
         device, interval = self.device, self.test.log.interval
         shapes = dict(compute_carrier_terms(device, self.test, self.where.pattern_angle))
         lag, where = device.thermometer_lag, self.where
         bend = where.case_rate - (where.case - where.resonator) / device.thermal_lag
         kelvin = lag * (lag + interval) / 2 / device.thermal_lag * bend
-        for channel, slope in compute_temperature_slopes(device).items():
-            shapes[channel] = shapes[channel] + slope * kelvin
+        for channel, slope in compute_temperature_slopes(device).items() if lag else ():
+            shapes[channel] = np.column_stack([shapes[channel], slope * kelvin])
         if is_origin_set(self.test.test.log, self.device.site) or self._begins_elsewhere():
             origin = shape_origin(self.bryan_factor, self.by_angle.slopes["gyro_angle"])
             shapes["gyro_angle"] = MAX_ORIGIN * origin

@@ -23,7 +23,8 @@ def fit_rival_noises(
 ) -> list[NoiseHypothesis]:
     """The most probable noise, from the residual of the output angle in each test: noises of the
     catalogue beyond the stated noise, or an unnamed one with or without them. Then the same without
-    each of its noises, and after one with an unnamed noise that of the catalogue's noises alone."""
+    each of its noises; and after one with an unnamed noise that of the catalogue's noises alone,
+    and without each of several."""
     likelihood = build_likelihood(residuals)
     posterior = NoisePosterior(likelihood, stated)
     plain = _assemble(posterior, _find_named(posterior, noises))
@@ -36,7 +37,8 @@ def fit_rival_noises(
     if log_odds <= 0:
         return [plain, *_drop_each(posterior, plain.added)]
     fewer = _drop_each(beside, rival.added, unnamed)
-    return [rival, *fewer, _assemble(posterior, rival.added), plain]
+    named = [plain, *(_drop_each(posterior, plain.added) if len(plain.added) > 1 else ())]
+    return [rival, *fewer, _assemble(posterior, rival.added), *named]
 
 
 def _find_named(posterior: NoisePosterior, noises: Sequence[NoiseEffect]) -> tuple[AddedNoise, ...]:

@@ -55,11 +55,7 @@ def misstate_frequency(campaign: Campaign) -> Campaign:
     for test in campaign.tests:
         offset = test.log.frequency_offset - FREQUENCY_ERROR * HZ
         tests.append(replace(test, recording=replace(test.log, frequency_offset=offset)))
-    nominal = {
-        **campaign.nominal,
-        "frequency_Hz": campaign.nominal["frequency_Hz"] + FREQUENCY_ERROR,
-    }
-    return replace(campaign, nominal=nominal, tests=tuple(tests))
+    return replace(add("frequency_Hz", FREQUENCY_ERROR)(campaign), tests=tuple(tests))
 
 
 LOOPS = ("amplitude_loop_rad_s", "quadrature_loop_rad_s", "phase_loop_rad_s")

@@ -22,7 +22,7 @@ from pyhrg.fmu import CONTROL_PERIOD
 from pyhrg.gap.effects.catalogue import DETERMINISTIC, EFFECTS, NOISE_EFFECTS, Effect, NoiseEffect
 from pyhrg.gap.replay.angle_derivatives import AngleDerivatives
 from pyhrg.gap.replay.carrier_terms import compute_carrier_terms
-from pyhrg.gap.replay.free_pattern import NOISE_GROWTH_LIMIT
+from pyhrg.gap.replay.free_pattern import find_known_rows
 from pyhrg.gap.replay.inputs.inputs import ReplayInputs, prepare_inputs
 from pyhrg.gap.replay.observations import (
     CHANNELS,
@@ -227,9 +227,7 @@ class Meter:
     def _prepare_nominal_test(self, log: Log) -> NominalTest:
         test = observe_test(Test("", "", "fit", log), self.nominal)
         by_angle = self.simulation.differentiate_by_angle(self.nominal, test)
-        growth = self.nominal.bryan_factor * by_angle.slopes["gyro_angle"]
-        off = (log.drive_on <= 0) & (np.abs(growth) > NOISE_GROWTH_LIMIT)
-        kept = ~np.logical_or.accumulate(off)
+        kept = find_known_rows(by_angle, self.nominal, log)
         rows = {name: test.rows[name] & kept for name in CHANNELS}
         out = _scale_force(log, compute_carrier_terms(self.nominal, test, log.wave_angle))
         return NominalTest(log, rows, by_angle, out)

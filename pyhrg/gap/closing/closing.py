@@ -13,7 +13,7 @@ from pyhrg.gap.effects.catalogue import EFFECTS, NOISE_EFFECTS
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.findings.diagnosis import Diagnosis, DiagnosisError
 from pyhrg.gap.findings.term import Term
-from pyhrg.gap.replay.observations import CHANNELS, ObservedTest, see_angles
+from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels
 from pyhrg.gap.soundness.fault import FAULT_NAMES
 
@@ -106,6 +106,6 @@ def compute_record_residuals(
     residuals = {name: getattr(test.log, name) - answers[name] for name in CHANNELS}
     turned = device.bryan_factor * residuals["gyro_angle"]
     for name in CHANNELS[1:]:
-        bend = by_angle.curvatures[name] * see_angles(name, turned) ** 2 / 2
-        residuals[name] = residuals[name] + by_angle.turn(name, turned, test.log) - bend
+        at_angle = residuals[name] + by_angle.turn(name, turned, test.log)
+        residuals[name] = at_angle - by_angle.bend(name, turned)
     return {name: np.where(test.rows[name], residuals[name], np.nan) for name in CHANNELS}

@@ -10,7 +10,7 @@ from pyhrg.fmu import GyroError
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.coordinates import compute_coordinates
 from pyhrg.gap.effects.linear_test import LinearTest
-from pyhrg.gap.replay.observations import CHANNELS, ObservedTest, see_angles
+from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation
 
 STEP_SHARE = 1e-4
@@ -40,8 +40,7 @@ def linearize_test(
     where = compute_coordinates(test, simulated, nominal, by_angle.free_turns)
     turned = nominal.bryan_factor * (test.log.gyro_angle - simulated["gyro_angle"])
     for name in CHANNELS[1:]:
-        seen = see_angles(name, turned)
-        residual[name] = residual[name] - by_angle.curvatures[name] * seen**2 / 2
+        residual[name] = residual[name] - by_angle.bend(name, turned)
     return LinearTest(test, device, simulated, residual, sensitivities, where, by_angle)
 
 

@@ -12,7 +12,7 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, Family
 from pyhrg.gap.effects.catalogue import Effect, NoiseEffect
-from pyhrg.gap.effects.design import build_design, measure_power, select_groups
+from pyhrg.gap.effects.design import Sizes, build_design, measure_power, select_groups
 from pyhrg.gap.effects.form import Form, find_forms
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.known_parameters import KnownParameters
@@ -59,7 +59,9 @@ def rank_anew(
     """
     first = rank_under_noise(noise, nominal, parts)
     if _is_swarm(first.ranking.best):
-        rival = rank_under_noise(_fit_noise(first, nominal, parts, noises), nominal, parts)
+        removed = dict[Group, Array](first.effect_sizes.items())
+        noise, *_ = suggest_noises(first, removed, nominal, parts, noises)
+        rival = rank_under_noise(noise, nominal, parts)
         first = max(first, rival, key=lambda h: h.log_posterior)
     ranked = {first.forms.terms: first}
     rivals = [_settle_forms(ranked, first, first.ranking.best, nominal, parts)]
@@ -69,17 +71,19 @@ def rank_anew(
     return max(rivals, key=lambda h: h.log_posterior)
 
 
-def _fit_noise(
-    first: Hypothesis,
+def suggest_noises(
+    hypothesis: Hypothesis,
+    removed: Sizes,
     nominal: Device,
     parts: Sequence[LinearTest],
     noises: Sequence[NoiseEffect],
-) -> NoiseHypothesis:
-    """The most probable noise beside the effects of a hypothesis, without its terms."""
-    removed = dict[Group, Array](first.effect_sizes.items())
-    noise, error = first.channel_noise, first.design.model_error
+) -> list[NoiseHypothesis]:
+    """Noises that the residual without these groups of a hypothesis suggests (`fit_rival_noises`),
+    the most probable first. The known parameters were estimated under the hypothesis' noise, so
+    that the residual alone does not decide between these."""
+    noise, error = hypothesis.channel_noise, hypothesis.design.model_error
     residuals = compute_residuals(parts, removed, noise, nominal, ("gyro_angle",), error)
-    return fit_rival_noises(residuals, build_angle_noise(nominal), noises)[0]
+    return fit_rival_noises(residuals, build_angle_noise(nominal), noises)
 
 
 def _is_swarm(best: Fit) -> bool:
@@ -129,9 +133,9 @@ def _settle_forms(
     of one more cause are allowed at a time, the strongest first: what one term misses may look like
     many others. Where sets come back, the most probable hypothesis is kept. A swarm has no forms.
     `ranked` are hypotheses by the terms that have forms; new ones are added."""
-    hypothesis = first
     if _is_swarm(best):
         return first
+    hypothesis = first
     for _ in range(MAX_ROUNDS):
         forms = _allow_forms(best, hypothesis, parts)
         if forms.terms == hypothesis.forms.terms:

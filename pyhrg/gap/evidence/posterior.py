@@ -4,6 +4,7 @@ A wandering residual may be noise, or a response that the catalogue lacks. Each 
 compared together with the sets of effects that go with it (docs/methods/evidence.md, Eq. (8)).
 """
 
+import itertools
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -16,16 +17,13 @@ from scipy.special import ndtr, softmax
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import Effect, NoiseEffect
-from pyhrg.gap.effects.design import Sizes
 from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS
-from pyhrg.gap.evidence.form_error import rank_with_forms
+from pyhrg.gap.evidence.form_error import rank_with_forms, suggest_noises
 from pyhrg.gap.evidence.hypothesis import Hypothesis, compute_sigma_along
-from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
+from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
-from pyhrg.gap.evidence.noise.noise_search import fit_rival_noises
-from pyhrg.gap.evidence.residuals import compute_residuals, select_distinct
-from pyhrg.gap.whitening.channel_noise import build_angle_noise
+from pyhrg.gap.evidence.residuals import select_distinct
 
 EVIDENT_CHI2 = 1e4
 """Explained power, as chi-square, above which the effects are there whatever the noise is: the
@@ -136,19 +134,8 @@ def compare_noises(
     ranked again under each noise. The most probable hypothesis of each kind of noise is kept. This
     is repeated until the most probable hypothesis gives no new residual.
     """
-    best, stated = first, build_angle_noise(nominal)
+    best = first
     by_kind, tried = {first.noise.kind: first}, set[tuple[Group, ...]]()
-
-    def fit_noises(removed: Sizes) -> list[NoiseHypothesis]:
-        """Noises that the residual without these groups suggests (`fit_rival_noises`). The known
-        parameters were estimated under another noise, so that the residual alone does not decide
-        between these."""
-        error = best.design.model_error
-        residuals = compute_residuals(
-            parts, removed, best.channel_noise, nominal, ("gyro_angle",), error
-        )
-        return fit_rival_noises(residuals, stated, noises)
-
     while True:
         is_evident = best.ranking.best.explained >= EVIDENT_CHI2
         nothing = [] if is_evident else [best.known.estimate({})]
@@ -157,7 +144,8 @@ def compare_noises(
         if not due:
             break
         tried.update(tuple(removed) for removed in due)
-        for noise in [noise for removed in due for noise in fit_noises(removed)]:
+        suggested = [suggest_noises(best, removed, nominal, parts, noises) for removed in due]
+        for noise in itertools.chain.from_iterable(suggested):
             known = by_kind.get(noise.kind)
             if known is None or not are_equal(known.noise.noise, noise.noise):
                 rival = rank_with_forms(noise, nominal, parts, best)

@@ -47,6 +47,10 @@ class AngleDerivatives:
             change = change + np.multiply.outer(self.origins, first)
         return np.asarray(change)
 
+    def bend(self, channel: str, angles: Array) -> Array:
+        """(n,) what the second order adds to `turn`."""
+        return np.asarray(self.curvatures[channel] * see_angles(channel, angles) ** 2 / 2)
+
 
 @dataclass(frozen=True)
 class FreePattern:

@@ -23,12 +23,11 @@ MIN_RING_DOWN = 50.0
 """Shortest ring-down from which a decay time is estimated, s. Chosen."""
 
 
-def mend_nominal_amplitude(campaign: Campaign) -> tuple[Campaign, list[str]]:
+def mend_nominal_amplitude(campaign: Campaign, stated: float) -> tuple[Campaign, list[str]]:
     """The campaign with the amplitude at which its logs begin, and a sentence where it states
     another: a gyro is held at its set point. An amplitude test may begin elsewhere."""
     logs = [test.log for test in campaign.tests if test.kind != "amplitude"]
     held = {float(log.amplitude_setpoint[0]) for log in logs}
-    stated = campaign.nominal.get("amplitude", 1.0)
     if len(held) != 1 or held == {stated}:
         return campaign, []
     (amplitude,) = held

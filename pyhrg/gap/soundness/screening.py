@@ -141,7 +141,8 @@ def screen_campaign(campaign: Campaign) -> Screening:
     if not any(test.is_holdout for test in tests):
         notes.append("no test is held out: a diagnosis can't be verified")
     faults = (*mounting, *sum_log_faults([each.faults for each in screened]))
-    usable, amplitude = mend_nominal_amplitude(replace(campaign, tests=tuple(tests)))
+    usable = replace(campaign, tests=tuple(tests))
+    usable, amplitude = mend_nominal_amplitude(usable, nominal.amplitude)
     return Screening(usable, (*notes, *amplitude), faults)
 
 

@@ -164,24 +164,30 @@ def compute_coordinates(
     log = test.log
     is_driven = log.drive_on > 0
     energetic = np.hypot(replay["amplitude"], replay.get("quadrature", 0.0))
-    case = test.inputs.temperatures - nominal.reference_temperature
-    start = float(case[0]) if test.inputs.is_soaked else 0.0
-    resonator = follow_with_lag(case, log.interval, nominal.thermal_lag, start)
     return Coordinates(
         nominal,
         test,
         replay["wave_angle"],
         log.table_angle,
         test.inputs.table.means,
-        case[1:],
-        resonator[1:],
-        compute_slopes(case, log.interval, SMOOTHING_TIME / 2)[1:],
+        *compute_temperatures(test, nominal),
         replay["amplitude"] / nominal.amplitude,
         np.where(is_driven, log.amplitude_setpoint, energetic) / nominal.amplitude - 1,
         np.where(is_driven, replay["amplitude_force"], 0.0),
         replay["quadrature_force"],
         np.ones(len(log.time)) if free_turns is None else free_turns,
     )
+
+
+def compute_temperatures(test: ObservedTest, device: Device) -> tuple[Array, Array, Array]:
+    """(n,) temperatures of the case and of the resonator above the reference, K, and the case's
+    smoothed slope, K/s, as a device's thermometer reads them."""
+    interval = test.log.interval
+    case = test.inputs.find_case_temperatures(device) - device.reference_temperature
+    start = float(case[0]) if test.inputs.is_soaked else 0.0
+    resonator = follow_with_lag(case, interval, device.thermal_lag, start)
+    slopes = compute_slopes(case, interval, SMOOTHING_TIME / 2)
+    return case[1:], resonator[1:], slopes[1:]
 
 
 def _generate_functions(where: Coordinates) -> Functions:

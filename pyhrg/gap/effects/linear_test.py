@@ -11,7 +11,7 @@ from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.coordinates import Coordinates
+from pyhrg.gap.effects.coordinates import Coordinates, compute_temperatures
 from pyhrg.gap.effects.form import Form, build_form_columns, build_reading_columns
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.term_columns import build_term_columns
@@ -129,8 +129,9 @@ class LinearTest:
         """
         device, interval = self.device, self.test.log.interval
         shapes = dict(compute_carrier_terms(device, self.test, self.where.pattern_angle))
-        lag, where = device.thermometer_lag, self.where
-        bend = where.case_rate - (where.case - where.resonator) / device.thermal_lag
+        lag = device.thermometer_lag
+        case, resonator, case_rate = compute_temperatures(self.test, device)
+        bend = case_rate - (case - resonator) / device.thermal_lag
         kelvin = lag * (lag + interval) / 2 / device.thermal_lag * bend
         for channel, slope in compute_temperature_slopes(device).items() if lag else ():
             shapes[channel] = np.column_stack([shapes[channel], slope * kelvin])

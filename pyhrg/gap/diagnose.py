@@ -75,6 +75,7 @@ def diagnose(
     closing, gap = _close(simulation, attribution, prepared.tests)
     if gap.is_wider or (gap.is_wider_held_out and attribution.leaves_excess):
         attribution = keep_nominal(simulation, attribution)
+        attribution = complete_noises(attribution, catalogue.noises, prepared.quantization)
         closing, gap = _close(simulation, attribution, prepared.tests)
     summary = _summarize(
         campaign.device, simulation, catalogue, attribution, prepared, closing, gap, bound

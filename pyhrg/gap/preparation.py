@@ -29,6 +29,7 @@ CUT = "{}: rows from time_s {:g} on not compared: a free pattern multiplies any 
 SOAKED = (
     "{}: the resonator had settled to {:.1f} degC before the log began, as the loop frequency shows"
 )
+UNCOMPARED = "{}: the output angle is compared in no row: its amplitude never settles"
 NO_START = "{}: not used: no row with both gyro_angle_deg and wave_angle_deg: no start angle"
 
 
@@ -59,12 +60,16 @@ def prepare_campaign(
     test has to compare. `noises` are those that may be named.
 
     Raises:
-        CampaignError: no test can be fitted.
+        CampaignError: no test can be fitted, or none of these has an output angle to compare.
     """
     nominal, started, excluded, faults = _select_tests(campaign)
     noise = estimate_reading_noise([t.log for t in started if not t.is_holdout])
     observed = observe_tests(started, nominal, noise.encoder.value)
     to_fit = [test for test in observed if not test.test.is_holdout]
+    uncompared = [test for test in observed if not test.rows["gyro_angle"].any()]
+    if all(test in uncompared for test in to_fit):
+        raise CampaignError("; ".join(UNCOMPARED.format(test.test.id) for test in to_fit))
+    excluded += tuple(UNCOMPARED.format(t.test.id) for t in uncompared if t.test.is_holdout)
     nominal, notes = complete_stated_noise(simulation, nominal, to_fit)
     quantization = find_quantization(to_fit, nominal.quantization_step, noises)
     excluded += (*notes, *describe_reading_noise(noise))

@@ -26,6 +26,7 @@ from pyhrg.gap.soundness.glitches import mend_inputs
 from pyhrg.gap.soundness.inputs import complete_inputs
 from pyhrg.gap.soundness.interruption import mend_drive
 from pyhrg.gap.soundness.mounting import mend_mounting
+from pyhrg.gap.soundness.origin import mend_origin
 from pyhrg.records import Log, LogError
 from pyhrg.records import campaign as campaigns
 from pyhrg.records.campaign import Campaign, Test
@@ -147,10 +148,11 @@ def _repair_inputs(log: Log, nominal: Device, diagnosis: Diagnosis) -> tuple[Log
     log, turned = mend_mounting(log, [p for cause in diagnosis.causes for p in cause.parameters])
     log, mended = mend_inputs(log)
     log, _, filled = complete_inputs(log, nominal)
+    log, counted = mend_origin(log, nominal)
     log, interrupted = mend_drive(log, nominal)
     if not has_start_angle(log):
         raise LogError(
             f"{log.source}: no row with gyro_angle_deg and wave_angle_deg; expected one, which "
             "gives the start angle"
         )
-    return log, [*turned, *mended, *filled, *interrupted]
+    return log, [*turned, *mended, *filled, *counted, *interrupted]

@@ -12,7 +12,7 @@ from pyhrg.gap.closing.closing import Closing, Residuals, compute_record_residua
 from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu, put_terms
 from pyhrg.gap.closing.equation.proposal import propose_terms
 from pyhrg.gap.closing.equation.refinement import find_moved_tests, list_sizes
-from pyhrg.gap.closing.verification import SEED, estimate_noise_floor, measure_distance
+from pyhrg.gap.closing.verification import draw_angles, estimate_noise_floor, measure_distance
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.findings.term import Term
 from pyhrg.gap.replay.observations import ObservedTest
@@ -91,7 +91,7 @@ def _compute_shrink(
     if channel == "gyro_angle":
         own = [[r[channel] for r in stage] for stage in (before, after)]
         first, last = (float(measure_distance(tests, series)[0]) for series in own)
-        floor, upper = estimate_noise_floor(tests, noise.angle, SEED)[1:, 0].tolist()
+        floor, upper = estimate_noise_floor(tests, draw_angles(tests, noise.angle))[1:, 0].tolist()
     else:
         first, last = (_measure_whitened(tests, s, noise, channel) for s in (before, after))
         n = sum(int(np.isfinite(r[channel]).sum()) for r in before)

@@ -1,7 +1,7 @@
 """How far closing shrinks the gap: residuals of the output angle beside their noise floor."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 from scipy.stats import chi2
@@ -37,26 +37,37 @@ def compute_gap_figures(
     the identified noise of the output angle.
     """
 
-    def figures(is_holdout: bool) -> tuple[GapFigure, GapFigure | None]:
-        own = [i for i, t in enumerate(tests) if t.test.is_holdout == is_holdout]
-        chosen = [tests[i] for i in own]
-        ends = [measure_distance(chosen, [r[i] for i in own]) for r in (before, after)]
-        floor = estimate_noise_floor(chosen, noise, SEED)
-        angle, rate = _make_figures([*ends, *floor], [ARCSEC, DEG_PER_H])
-        return angle, rate if math.isfinite(rate.before) else None
-
-    held_out = [i for i, t in enumerate(tests) if t.test.is_holdout]
+    fitted, held_out = (
+        [
+            (test, own, left)
+            for test, own, left in zip(tests, before, after, strict=True)
+            if test.test.is_holdout == is_holdout and np.isfinite(own).any()
+        ]
+        for is_holdout in (False, True)
+    )
+    chosen, *ends = zip(*fitted, strict=True)
+    of_fit = _compare(chosen, ends, draw_angles(chosen, noise))
     if not held_out:
-        return Gap(*figures(False), None, None, None, None)
-    angle, rate = figures(True)
-    chosen, residuals = [tests[i] for i in held_out], [after[i] for i in held_out]
-    whiteness = compute_whiteness(chosen, residuals, noise)
-    ends = [np.concatenate([stage[i] for i in held_out]) for stage in (before, after)]
-    (area,) = _make_figures(list(measure_areas(chosen, ends, noise, SEED)), [ARCSEC])
+        return Gap(*of_fit, None, None, None, None)
+    chosen, *ends = zip(*held_out, strict=True)
+    draws = list(draw_angles(chosen, noise))
+    angle, rate = _compare(chosen, ends, draws)
+    whiteness = compute_whiteness(chosen, ends[1], noise)
+    (area,) = _make_figures(list(measure_areas(ends, draws)), [ARCSEC])
     shrink = None  # docs/methods/verdict.md, Eq. (5); None where there is no excess over the floor
     if angle.before > angle.floor_95[1]:
         shrink = 100 * (angle.before - angle.after) / (angle.before - angle.floor)
-    return Gap(*figures(False), angle, rate, shrink, whiteness, area)
+    return Gap(*of_fit, angle, rate, shrink, whiteness, area)
+
+
+def _compare(
+    tests: Sequence[ObservedTest], ends: Sequence[Sequence[Array]], draws: Iterable[Sequence[Array]]
+) -> tuple[GapFigure, GapFigure | None]:
+    """Figures of angle and rate, from residuals before and after, and from draws of the noise."""
+    distances = [measure_distance(tests, residuals) for residuals in ends]
+    floor = estimate_noise_floor(tests, draws)
+    angle, rate = _make_figures([*distances, *floor], [ARCSEC, DEG_PER_H])
+    return angle, rate if math.isfinite(rate.before) else None
 
 
 def _make_figures(rows: Sequence[Array], units: Sequence[float]) -> list[GapFigure]:
@@ -72,37 +83,38 @@ def measure_distance(tests: Sequence[ObservedTest], residuals: Sequence[Array]) 
     return np.array([_compute_rms(np.concatenate(residuals)), _compute_rms(np.concatenate(rates))])
 
 
-def estimate_noise_floor(tests: Sequence[ObservedTest], noise: NoiseModel, seed: int) -> Array:
+def draw_angles(
+    tests: Sequence[ObservedTest], noise: NoiseModel, seed: int = SEED
+) -> Iterator[list[Array]]:
+    """Draws of the output angle of noise alone, (n,) rad in each test; NaN in rows that are not
+    compared."""
+    generator = np.random.default_rng(seed)
+    for _ in range(NOISE_DRAWS):
+        yield [_draw_angle(test, noise, generator) for test in tests]
+
+
+def estimate_noise_floor(tests: Sequence[ObservedTest], draws: Iterable[Sequence[Array]]) -> Array:
     """(3, 2) distances that noise of the output angle alone would leave of a perfect simulation:
     quantiles of 2.5, 50 and 97.5 % over draws of the noise."""
-    generator = np.random.default_rng(seed)
-    draws = [
-        measure_distance(tests, [_draw_angle(t, noise, generator) for t in tests])
-        for _ in range(NOISE_DRAWS)
-    ]
-    return np.asarray(np.quantile(draws, (0.025, 0.5, 0.975), axis=0))
+    distances = [measure_distance(tests, draw) for draw in draws]
+    return np.asarray(np.quantile(distances, (0.025, 0.5, 0.975), axis=0))
 
 
-def measure_areas(
-    tests: Sequence[ObservedTest], residuals: Sequence[Array], noise: NoiseModel, seed: int
-) -> Array:
+def measure_areas(ends: Sequence[Sequence[Array]], draws: Iterable[Sequence[Array]]) -> Array:
     """(m + 3, 1) area validation metric of m residuals of the output angle in all tests together,
-    rad, and quantiles of 2.5, 50 and 97.5 % of what noise alone would leave.
+    rad, and quantiles of 2.5, 50 and 97.5 % over draws of what noise alone would leave. A residual
+    and a draw are (n,) in each test.
 
     The metric is the area between the distribution of a residual's rows and that of the noise, all
     draws together (S. Ferson, W. L. Oberkampf, L. Ginzburg, 2008; docs/methods/verdict.md,
     Eq. 11). NaN is left out.
     """
-    generator = np.random.default_rng(seed)
-    draws = [
-        np.concatenate([_draw_angle(test, noise, generator) for test in tests])
-        for _ in range(NOISE_DRAWS)
-    ]
+    residuals, of_noise = ([np.concatenate(own) for own in series] for series in (ends, draws))
     shares = (np.arange(AREA_QUANTILES) + 0.5) / AREA_QUANTILES
-    expected = np.nanquantile(np.concatenate(draws), shares)
+    expected = np.nanquantile(np.concatenate(of_noise), shares)
     areas = [
         float(np.mean(np.abs(np.nanquantile(own, shares) - expected)))
-        for own in (*residuals, *draws)
+        for own in (*residuals, *of_noise)
     ]
     count = len(residuals)
     floor = np.quantile(areas[count:], (0.025, 0.5, 0.975))

@@ -14,7 +14,7 @@ from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.coordinates import Coordinates, compute_temperatures
 from pyhrg.gap.effects.form import Form, build_form_columns, build_reading_columns
 from pyhrg.gap.effects.jump import Jump
-from pyhrg.gap.effects.term_columns import build_term_columns
+from pyhrg.gap.effects.term_columns import build_term_columns, select_term_columns
 from pyhrg.gap.replay.angle_derivatives import AngleDerivatives
 from pyhrg.gap.replay.carrier_terms import compute_carrier_terms
 from pyhrg.gap.replay.inputs.table_steps import shape_rounding_errors
@@ -82,6 +82,7 @@ class LinearTest:
     sensitivities: (n, d) by channel, for each effect: change of a channel per unit of its vector.
     where: coordinates of the rows.
     by_angle: derivatives of the channels by the pattern angle.
+    candidates: the candidate terms that take part; None of all.
     kept: last whitened series of a channel, with their noise.
     """
 
@@ -92,6 +93,7 @@ class LinearTest:
     sensitivities: Mapping[Effect, Mapping[str, Array]]
     where: Coordinates
     by_angle: AngleDerivatives
+    candidates: Collection[Group] | None = None
     kept: dict[str, tuple[Hashable, _WhitenedBase]] = field(
         default_factory=dict, init=False, compare=False, repr=False
     )
@@ -213,9 +215,14 @@ def _whiten_base(part: LinearTest, channel: str, noise: CampaignNoise) -> _White
 def _build_base(part: LinearTest, channel: str) -> tuple[dict[CandidateTerm, int], Array]:
     """Number of columns of each candidate term, and (n, q) columns: of effects and candidate terms,
     and the residual."""
-    terms = dict(build_term_columns(part.where, channel))
+    if part.candidates is None:
+        terms = dict(build_term_columns(part.where, channel))
+    else:
+        terms = select_term_columns(part.where, channel, part.candidates)
     if channel != "gyro_angle":
-        _add_reading_errors(terms, part, channel, dict(build_reading_columns(part.where, ())))
+        read = build_reading_columns(part.where, ())
+        taken = {t: v for t, v in read if part.candidates is None or t in part.candidates}
+        _add_reading_errors(terms, part, channel, taken)
     responses = part.at_measured_angle(
         part.responses(channel), part.responses("gyro_angle"), channel
     )

@@ -4,7 +4,7 @@ A term of pick-off, drive or damping shows in more than one way: the forces of t
 the pick-off shows, and a force is as wrong as the drive (docs/methods/effects.md, Eqs. 4 to 5c).
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from functools import cache, partial
 
 import numpy as np
@@ -67,13 +67,21 @@ def generate_terms(where: Coordinates, channel: str) -> Iterator[PlacedTerm]:
         yield from _generate_phase_errors(where, channel)
 
 
+def select_term_columns(
+    where: Coordinates, channel: str, terms: Collection[object]
+) -> dict[CandidateTerm, Array]:
+    """(n, b) columns of those of these terms and jumps that show in a channel in a test."""
+    placed = generate_terms(where, channel)
+    columns = {term: respond(block) for term, block, respond in placed if term in terms}
+    jumps = [t for t in terms if isinstance(t, Jump) and t.channel == channel]
+    return columns | {jump: jump.columns(where) for jump in jumps}
+
+
 def compute_response(
     where: Coordinates, channel: str, sizes: Mapping[CandidateTerm, Array]
 ) -> Array:
     """(n,) response of a channel to terms of these sizes, (d,) each, in units of their columns."""
-    terms = generate_terms(where, channel)
-    columns = {term: respond(block) for term, block, respond in terms if term in sizes}
-    columns |= {t: t.columns(where) for t in sizes if isinstance(t, Jump) and t.channel == channel}
+    columns = select_term_columns(where, channel, sizes)
     own = [columns[term] @ size for term, size in sizes.items() if term in columns]
     return np.asarray(sum(own, np.zeros(len(where.pattern_angle))))
 

@@ -14,7 +14,7 @@ from pyhrg.gap.effects.design import Sizes, TestChannel
 from pyhrg.gap.effects.form import Form, build_form_columns, build_reading_columns
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.linear_test import Group, LinearTest
-from pyhrg.gap.effects.term_columns import build_term_columns
+from pyhrg.gap.effects.term_columns import select_term_columns
 from pyhrg.gap.replay.observations import CHANNELS, Mask
 from pyhrg.gap.whitening.campaign_noise import CampaignNoise
 from pyhrg.gap.whitening.whitening import NoiseModel, whiten
@@ -118,12 +118,9 @@ def _subtract(part: LinearTest, removed: Sizes, channel: str, index: int) -> Arr
     terms = {g for g in removed if not isinstance(g, Effect)}
     columns: dict[Group, Array] = {}
     if terms:
-        columns |= build_term_columns(part.where, channel)
-        columns |= build_form_columns(
-            part.where, channel, [g for g in terms if isinstance(g, Form)]
-        )
-    jumps = {g for g in terms if isinstance(g, Jump) and g.channel == channel}
-    columns |= {jump: jump.columns(part.where) for jump in jumps}
+        forms = [g for g in terms if isinstance(g, Form)]
+        columns.update(select_term_columns(part.where, channel, terms).items())
+        columns.update(build_form_columns(part.where, channel, forms))
     for group, size in removed.items():
         if isinstance(group, Effect):
             residual -= part.sensitivities[group][channel] @ size

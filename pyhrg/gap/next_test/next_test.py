@@ -19,6 +19,7 @@ from pyhrg.bench.bench import Bench
 from pyhrg.bench.programme import Programme
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import HOUR
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.coordinates import compute_coordinates
 from pyhrg.gap.effects.design import (
@@ -30,6 +31,7 @@ from pyhrg.gap.effects.design import (
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.effects.sensitivities import compute_sensitivities
+from pyhrg.gap.effects.term_columns import compute_response
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.findings.diagnosis import NextTest
 from pyhrg.gap.next_test.candidate_tests import list_candidates
@@ -178,14 +180,15 @@ def _linearize(
     device = attribution.device
     effects = [g for g in groups if isinstance(g, Effect)]
     columns = compute_sensitivities(simulation, device, test, effects)
-    response = {name: np.zeros(len(test.log.time)) for name in CHANNELS}
+    by_angle = simulation.differentiate_by_angle(device, test)
+    where = compute_coordinates(test, vars(test.log), device, by_angle.free_turns)
+    terms = {g: size for g, size in truth.items() if isinstance(g, CandidateTerm)}
+    response = {name: compute_response(where, name, terms) for name in CHANNELS}
     for effect, own in columns.items():
         for name in CHANNELS if effect in truth else ():
             response[name] += own[name] @ truth[effect]
-    by_angle = simulation.differentiate_by_angle(device, test)
-    where = compute_coordinates(test, vars(test.log), device, by_angle.free_turns)
     answers = {name: getattr(test.log, name) for name in CHANNELS}
-    return LinearTest(test, device, answers, response, columns, where, by_angle)
+    return LinearTest(test, device, answers, response, columns, where, by_angle, frozenset(groups))
 
 
 def _compute_information(tests: Design, groups: Sequence[Group], unit: Design) -> Array:

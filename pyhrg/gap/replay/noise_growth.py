@@ -35,10 +35,12 @@ def add_noise_growth(tests: Sequence[ObservedTest], nominal: Device) -> tuple[Ob
 
 def find_level(log: Log, nominal: Device) -> Array:
     """(n,) amplitude over the nominal one: the set point, and the measured one while the drive is
-    off; interpolated where it is missing."""
+    off; interpolated where it is missing, the set point where it is missing throughout."""
     amplitude = np.where(log.drive_on > 0, log.amplitude_setpoint, log.amplitude)
     known = np.isfinite(amplitude)
-    level = np.interp(log.time, log.time[known], amplitude[known]) if known.any() else amplitude
+    if not known.any():
+        known, amplitude = np.ones(len(known), bool), log.amplitude_setpoint
+    level = np.interp(log.time, log.time[known], amplitude[known])
     return np.fmax(level / nominal.amplitude, MIN_LEVEL)
 
 

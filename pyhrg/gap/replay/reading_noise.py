@@ -131,7 +131,10 @@ def estimate_reading_noise(logs: Sequence[Log]) -> ReadingNoise:
 
 
 def _measure_variances(log: Log) -> Iterator[Variances]:
-    """Variances in the rows of a log, by octaves of the table's rate."""
+    """Variances in the rows of a log, by octaves of the table's rate; none of a log that has too
+    few rows."""
+    if len(log.time) < DIFFERENCE_ORDER + MIN_DIFFERENCES:
+        return
     table, gyro = (np.diff(a, DIFFERENCE_ORDER) for a in (log.table_angle, log.gyro_angle))
     apart = table - gyro
     wide = _widen(log.table_angle) * _widen(log.gyro_angle)

@@ -124,13 +124,18 @@ def _find_steady_end(angle: Array, missing: NDArray[np.bool_], end: int) -> int:
 
 
 def _keeps_rate(log: Log, first: int, end: int) -> bool:
-    """Whether the table kept its rate over missing rows; before the start it was at rest."""
+    """Whether the table kept its rate over missing rows; before the start it was at rest. The rate
+    before them is that of the last two known rows; that after them counts if both rows are known.
+    """
     angle, interval = log.table_angle, log.interval
     if first == 0:
         return bool(abs(angle[end]) < REST_TOLERANCE)
     across = (angle[end] - angle[first - 1]) / (end - first + 1) / interval
-    before = (angle[first - 1] - (angle[first - 2] if first > 1 else 0.0)) / interval
+    rows = np.append(-1, np.flatnonzero(np.isfinite(angle[: first - 1])))
+    last = angle[rows[-1]] if len(rows) > 1 else 0.0
+    before = (angle[first - 1] - last) / (first - 1 - rows[-1]) / interval
     after = (angle[end + 1] - angle[end]) / interval if end + 1 < len(angle) else across
+    after = after if np.isfinite(after) else across
     least = REST_TOLERANCE + NOISE_SIGMA * estimate_scatter(angle[np.isfinite(angle)])
     allowed = RATE_TOLERANCE * abs(across) + least / interval
     return bool(max(abs(before - across), abs(after - across)) <= allowed)

@@ -152,9 +152,14 @@ def _choose_stretch(log: Log) -> tuple[slice, list[str]]:
     """Rows of the longest stretch without gaps, and a sentence where there are gaps.
 
     Raises:
-        HrgError: gaps leave too few rows.
+        HrgError: no row has both angles, or gaps leave too few rows.
     """
     stretches = log.stretches("gyro_angle", "table_angle")
+    if not stretches:
+        raise HrgError(
+            f"{log.source}: no row has gyro_angle_deg and table_angle_deg; expected more than "
+            f"{MIN_READINGS}"
+        )
     stretch = max(stretches, key=lambda s: s.stop - s.start)
     if len(stretches) == 1:
         return stretch, []
@@ -221,6 +226,9 @@ def find_quantization_step(values: Array) -> float | None:
         return None
     size = float(np.max(np.abs(levels)))
     steps = np.diff(levels)
-    step = float(np.min(steps[steps > 1e-9 * size]))
+    steps = steps[steps > 1e-9 * size]
+    if not len(steps):
+        return None
+    step = float(np.min(steps))
     multiples = levels / step
     return step if np.max(np.abs(multiples - np.round(multiples))) < 1e-3 else None

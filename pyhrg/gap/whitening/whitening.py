@@ -105,16 +105,14 @@ class NoiseModel:
     def states(self) -> "MarkovStates":
         """The slow terms as a Markov process (docs/methods/whitening.md, Eqs. 2 and 3); the same
         object for noises that differ by the readings alone."""
-        lags = [self.lag, *(FLICKER_PROCESS_TIMES if self.bias_instability else ())]
-        rates = np.array([0.0] + [1.0] * (len(lags) - 1))
-        variance = compute_process_variance(self.bias_instability)
-        densities = [self.lagged**2 / self.lag**2, *(2 * variance / t for t in lags[1:])]
-        for each in self.correlated:
-            lags.append(each.lag)
-            rates = np.append(rates, float(each.of_rate))
-            densities.append(2 * each.level**2 / each.lag)
+        each = [(self.lag, 0.0, self.lagged**2 / self.lag**2)] if self.lagged else []
+        if self.bias_instability:
+            variance = compute_process_variance(self.bias_instability)
+            each += [(time, 1.0, 2 * variance / time) for time in FLICKER_PROCESS_TIMES]
+        each += [(c.lag, float(c.of_rate), 2 * c.level**2 / c.lag) for c in self.correlated]
+        lags, rates, densities = np.array(each).reshape(-1, 3).T.copy()
         walks = np.array([self.angle_random_walk**2, self.rate_random_walk**2])
-        return MarkovStates(np.array(lags), rates, np.array(densities), walks)
+        return MarkovStates(lags, rates, densities, walks)
 
 
 @dataclass(frozen=True)

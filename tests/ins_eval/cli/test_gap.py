@@ -211,6 +211,20 @@ def test_what_a_recorder_has_lost_is_predicted_as_it_is_diagnosed(folder: Path) 
     np.testing.assert_allclose(found, whole, atol=0.1 * ARCSEC / DEG)
 
 
+def test_an_output_angle_that_counts_from_elsewhere_is_predicted_as_it_is_diagnosed(
+    folder: Path,
+) -> None:
+    """Its offset would turn the simulated pattern at power-on."""
+    log = records.read_log(folder / "ride.csv.gz")
+    assert predict(folder, {"causes": []}) == 0
+    whole = np.loadtxt(folder.parent / "p.csv", delimiter=",", skiprows=1)
+    log.gyro_angle[:] += 20 * DEG
+    records.write_log(log, folder / "ride.csv.gz")
+    assert predict(folder, {"causes": []}) == 0
+    found = np.loadtxt(folder.parent / "p.csv", delimiter=",", skiprows=1)
+    np.testing.assert_allclose(found[:, 1], whole[:, 1], atol=0.1 * ARCSEC / DEG)
+
+
 def test_a_log_without_angles_is_refused(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log = records.read_log(folder / "ride.csv.gz")
     log.wave_angle[:] = np.nan

@@ -159,16 +159,18 @@ class _Iteration:
         simulation, device = self._simulation, self.device
         if self.parts and self.parts[0].device is device and not self._is_far:
             return
-        answers = [simulation.simulate(device, test) for test in self._tests]
-        columns: list[Mapping[Effect, Mapping[str, Array]]]
-        columns = [part.sensitivities for part in self.parts]
-        if self._is_far:
-            effects = self._catalogue.parameters
-            columns = [compute_sensitivities(simulation, device, t, effects) for t in self._tests]
-        self.parts = [
-            linearize_test(simulation, self._nominal, device, *own)
-            for own in zip(self._tests, answers, columns, strict=True)
-        ]
+        answers, parts = list[ChannelValues](), list[LinearTest]()
+        for index, test in enumerate(self._tests):
+            answers.append(simulation.simulate(device, test))
+            columns: Mapping[Effect, Mapping[str, Array]]
+            if self._is_far:
+                effects = self._catalogue.parameters
+                columns = compute_sensitivities(simulation, device, test, effects)
+            else:
+                columns = self.parts[index].sensitivities
+            nominal, answer = self._nominal, answers[-1]
+            parts.append(linearize_test(simulation, nominal, device, test, answer, columns))
+        self.parts = parts
         self._differentiated_at = device if self._is_far else self._differentiated_at
         self.nominal_answers = self.nominal_answers or tuple(answers)
 
@@ -201,7 +203,7 @@ class _Iteration:
         best = hypothesis.ranking.best
         # the response of large terms is curved
         if self._linearization_error or list_large_terms(best, hypothesis):
-            self.posterior = Posterior((hypothesis,), (1.0,))
+            self.posterior, self._compared_groups = Posterior((hypothesis,), (1.0,)), None
         elif best.groups == self._compared_groups:
             others = self.posterior.hypotheses[1:]
             self.posterior = replace(self.posterior, hypotheses=(hypothesis, *others))

@@ -137,7 +137,7 @@ def diagnose_channel(
     is_alarm = ranking.log_ratio > -np.log(false_alarms)
     has_terms = is_alarm and ranking.unknown_probability <= UNKNOWN_PROBABILITY
     chosen = ranking.hypotheses[0].terms if has_terms else ranking.null
-    causes = tuple(_make_cause(channel, ranking, chosen, effect) for effect in chosen.extra)
+    causes = tuple(_make_cause(channel, belief, ranking, chosen, effect) for effect in chosen.extra)
     held_out = channel.part(channel.half, len(channel.angle))
     second_half = build_problem(transform_channel(held_out, belief), belief, channel.interval)
     p_value = _compare_halves(problem, second_half, chosen)
@@ -169,12 +169,15 @@ def _reach_verdict(
     return "explained" if is_certain else "ambiguous"
 
 
-def _make_cause(channel: Channel, ranking: Ranking, chosen: Posterior, effect: int) -> Cause:
-    """A term with its level. White noise of the angle is called quantization if the readings lie on
-    a grid whose step agrees with it."""
+def _make_cause(
+    channel: Channel, belief: Belief, ranking: Ranking, chosen: Posterior, effect: int
+) -> Cause:
+    """A term with its total level. White noise of the angle is called quantization if the readings
+    lie on a grid whose step agrees with it."""
     kind, step = channel.kind, channel.quantization_step
     term = _get_term(kind, chosen.problem, effect)
-    levels = _draw_levels(chosen, effect) / term.factor
+    believed = belief.ramp if term is kind.ramp else 0.0  # `transform_channel` took it out
+    levels = (believed + _draw_levels(chosen, effect)) / term.factor
     low, value, high = _compute_quantiles(levels, chosen.weights, (TAIL, 0.5, 1 - TAIL))
     if term is kind.terms[0] and step is not None:
         steps = np.array([low, value, high]) * term.factor * np.sqrt(12)

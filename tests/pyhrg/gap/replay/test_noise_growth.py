@@ -87,3 +87,10 @@ def test_missing_amplitudes_are_interpolated() -> None:
     log = observe_ring_down(0.0).log
     gappy = replace(log, amplitude=np.where(np.arange(N) % 7 == 3, np.nan, log.amplitude))
     np.testing.assert_allclose(find_level(gappy, DEVICE), find_level(log, DEVICE), rtol=1e-4)
+
+
+def test_a_log_without_any_amplitude_has_that_of_its_set_point() -> None:
+    log = observe_ring_down(0.0).log
+    nowhere = replace(log, drive_on=np.zeros(N), amplitude=np.full(N, np.nan))
+    expected = log.amplitude_setpoint / DEVICE.amplitude
+    np.testing.assert_array_equal(find_level(nowhere, DEVICE), expected)

@@ -117,6 +117,11 @@ def test_a_campaign_at_rest_has_no_jitter() -> None:
     assert is_near(noise.encoder, 0.1 * ARCSEC)
 
 
+@pytest.mark.parametrize("rows", [2, 3, 5])
+def test_a_log_of_a_few_rows_has_none(rows: int) -> None:
+    assert estimate_reading_noise([made_up_log(rows)]) == ReadingNoise()
+
+
 @pytest.mark.parametrize("seed", range(20))
 def test_common_scatter_is_motion(seed: int) -> None:
     """A table that shakes by 0.3 arcsec, and one at rest, have no noise of reading."""

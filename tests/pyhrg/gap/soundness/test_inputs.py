@@ -73,6 +73,15 @@ def test_missing_values_of_inputs_are_filled(error_free: Campaign, field: str) -
     assert sentences == ["neg: 3 missing rows: inputs filled in, outputs not"]
 
 
+def test_a_known_row_between_two_missing_ones_cuts_nothing(error_free: Campaign) -> None:
+    """Nothing is known of the rate in the row that is known alone."""
+    log, sentences = screen_changed(error_free, without_rows([100, 102, 104]), "still")
+    assert len(log.time) == 600
+    assert sentences == ["still: 3 missing rows: inputs filled in, outputs not"]
+    log, _ = screen_changed(error_free, without_rows([100, 102]), "neg")
+    np.testing.assert_allclose(log.table_angle, log_of(error_free, "neg").table_angle)
+
+
 def test_the_start_must_be_there(error_free: Campaign) -> None:
     log, sentences = screen_changed(error_free, without_rows(slice(0, 2)), "still")
     assert len(log.time) == 600

@@ -100,6 +100,7 @@ def test_grid() -> None:
         0.25
     )
     assert find_quantization_step(generator.standard_normal(1000)) is None
+    assert find_quantization_step(np.tile([0.0981, np.nextafter(0.0981, 1)], 500)) is None
 
 
 def test_motion_is_shared_and_noise_is_not() -> None:

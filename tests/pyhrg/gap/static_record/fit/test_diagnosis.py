@@ -1,5 +1,6 @@
 """Verdicts on simulated records: nothing, one term more, and what no term is."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -87,6 +88,11 @@ def test_a_ramp_is_named() -> None:
     found = diagnosis((1, 0.3, 0, 0, 1e-4))
     assert [cause.term.effect for cause in found.causes] == ["rate_ramp"]
     assert found.causes[0].low < 1e-4 * 3600 / DEG_PER_H < found.causes[0].high
+
+
+def test_a_ramp_beside_a_believed_one_is_stated_whole() -> None:
+    found = diagnosis((1, 0.3, 0, 0, 1.5e-4), replace(WHITE, ramp=5e-5))
+    assert found.causes[0].low < 1.5e-4 * 3600 / DEG_PER_H < found.causes[0].high
 
 
 def test_a_line_is_no_noise() -> None:

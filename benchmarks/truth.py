@@ -60,7 +60,7 @@ def main(level: str = "good-lab", seed: str = "1", count: str = "4") -> None:
 
 def compare_channels(parts: list[LinearTest]) -> Iterator[tuple[str, str, float, int]]:
     """Test, channel, chi-square and number of rows of each residual."""
-    noise = estimate_nominal_noise(parts[0].device, parts)
+    noise = estimate_nominal_noise(parts)
     for part in parts:
         for name in CHANNELS:
             white = whiten_gyro_residual(part, name, noise)

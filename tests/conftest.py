@@ -1,5 +1,6 @@
 """Shared: the FMU, built once; programs that a test needs."""
 
+import os
 import signal
 import zipfile
 from collections.abc import Iterator
@@ -18,6 +19,11 @@ from tests.programs import (  # noqa: F401 (hooks of pytest)
     pytest_runtest_setup,
     pytest_terminal_summary,
 )
+
+
+def pytest_xdist_auto_num_workers() -> int:
+    """One worker more than processors, since some tests wait for programs that they start."""
+    return (os.cpu_count() or 1) + 1
 
 
 @pytest.fixture(scope="session", autouse=True)

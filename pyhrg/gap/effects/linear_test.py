@@ -99,9 +99,14 @@ class LinearTest:
     )
 
     @property
+    def nominal(self) -> Device:
+        """The device from which sizes count."""
+        return self.where.nominal
+
+    @property
     def bryan_factor(self) -> float:
         """Angular gain of the nominal device."""
-        return self.where.nominal.bryan_factor
+        return self.nominal.bryan_factor
 
     def observe(self, test: ObservedTest) -> "LinearTest":
         """A copy of this linear model for the test with more observed of it."""
@@ -118,7 +123,7 @@ class LinearTest:
         residual, exact = self.residual[channel], set(list_read_out_fields(self.test.log))
         for effect, own in self.sensitivities.items():
             if exact.issuperset(effect.fields):
-                away = effect.vector(self.device) - effect.vector(self.where.nominal)
+                away = effect.vector(self.device) - effect.vector(self.nominal)
                 residual = residual - own[channel] @ away
         return residual
 

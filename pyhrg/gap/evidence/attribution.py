@@ -75,7 +75,7 @@ def complete_noises(
         noise = hypothesis.noise
         if hypothesis is posterior.best:
             parts, channels = attribution.parts, attribution.channel_noise
-            own = compute_residuals(parts, hypothesis.sizes, channels, nominal, ("gyro_angle",))
+            own = compute_residuals(parts, hypothesis.sizes, channels, ("gyro_angle",))
             noise = find_noise_equivalents(noise, own, build_angle_noise(nominal), noises)
         if quantization:
             noise = replace(noise, added=(*noise.added, quantization))
@@ -94,6 +94,6 @@ def keep_nominal(simulation: Simulation, attribution: Attribution) -> Attributio
         linearize_test(simulation, nominal, nominal, part.test, answers, part.sensitivities)
         for part, answers in pairs
     )
-    posterior = Posterior((suppose_nothing(nominal, parts),), (1.0,))
+    posterior = Posterior((suppose_nothing(parts),), (1.0,))
     answers = attribution.nominal_answers
     return Attribution(nominal, nominal, posterior, parts, answers, settled=False)

@@ -9,7 +9,6 @@ from collections.abc import Sequence
 from typing import TypeGuard
 
 from pyhrg.common.arrays import Array
-from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, Family
 from pyhrg.gap.effects.catalogue import Effect, NoiseEffect
 from pyhrg.gap.effects.design import Sizes, build_design, measure_power, select_groups
@@ -36,18 +35,17 @@ NEGLIGIBLE_CHI2 = 1.0
 
 
 def rank_with_forms(
-    noise: NoiseHypothesis, nominal: Device, parts: Sequence[LinearTest], start: Hypothesis
+    noise: NoiseHypothesis, parts: Sequence[LinearTest], start: Hypothesis
 ) -> Hypothesis:
     """Rank sets under a noise beside the forms of the causes for which terms stand. The search
     starts from a hypothesis."""
     known = start.ranking.best.groups
-    first = rank_under_noise(noise, nominal, parts, start=known, forms=start.forms)
-    return _settle_forms({first.forms.terms: first}, first, first.ranking.best, nominal, parts)
+    first = rank_under_noise(noise, parts, start=known, forms=start.forms)
+    return _settle_forms({first.forms.terms: first}, first, first.ranking.best, parts)
 
 
 def rank_anew(
     noise: NoiseHypothesis,
-    nominal: Device,
     parts: Sequence[LinearTest],
     noises: Sequence[NoiseEffect],
 ) -> Hypothesis:
@@ -57,24 +55,23 @@ def rank_anew(
     probable set has terms, the search also starts from the single term that explains most beside
     its own forms: a swarm of effects and terms may explain about as much as one cause.
     """
-    first = rank_under_noise(noise, nominal, parts)
+    first = rank_under_noise(noise, parts)
     if _is_swarm(first.ranking.best):
         removed = dict[Group, Array](first.effect_sizes.items())
-        noise, *_ = suggest_noises(first, removed, nominal, parts, noises)
-        rival = rank_under_noise(noise, nominal, parts)
+        noise, *_ = suggest_noises(first, removed, parts, noises)
+        rival = rank_under_noise(noise, parts)
         first = max(first, rival, key=lambda h: h.log_posterior)
     ranked = {first.forms.terms: first}
-    rivals = [_settle_forms(ranked, first, first.ranking.best, nominal, parts)]
+    rivals = [_settle_forms(ranked, first, first.ranking.best, parts)]
     if any(map(_is_term, first.ranking.best.groups)):
         single = _fit_single_cause(first, parts)
-        rivals.append(_settle_forms(ranked, first, single, nominal, parts))
+        rivals.append(_settle_forms(ranked, first, single, parts))
     return max(rivals, key=lambda h: h.log_posterior)
 
 
 def suggest_noises(
     hypothesis: Hypothesis,
     removed: Sizes,
-    nominal: Device,
     parts: Sequence[LinearTest],
     noises: Sequence[NoiseEffect],
 ) -> list[NoiseHypothesis]:
@@ -82,8 +79,8 @@ def suggest_noises(
     the most probable first. The known parameters were estimated under the hypothesis' noise, so
     that the residual alone does not decide between these."""
     noise, error = hypothesis.channel_noise, hypothesis.design.model_error
-    residuals = compute_residuals(parts, removed, noise, nominal, ("gyro_angle",), error)
-    return fit_rival_noises(residuals, build_angle_noise(nominal), noises)
+    residuals = compute_residuals(parts, removed, noise, ("gyro_angle",), error)
+    return fit_rival_noises(residuals, build_angle_noise(parts[0].nominal), noises)
 
 
 def _is_swarm(best: Fit) -> bool:
@@ -125,7 +122,6 @@ def _settle_forms(
     ranked: dict[tuple[CandidateTerm, ...], Hypothesis],
     first: Hypothesis,
     best: Fit,
-    nominal: Device,
     parts: Sequence[LinearTest],
 ) -> Hypothesis:
     """Rank sets again beside the forms of the causes for which the terms of a set stand, then of
@@ -142,7 +138,7 @@ def _settle_forms(
             return hypothesis
         if forms.terms in ranked:
             break
-        hypothesis = rank_under_noise(first.noise, nominal, parts, start=best.groups, forms=forms)
+        hypothesis = rank_under_noise(first.noise, parts, start=best.groups, forms=forms)
         ranked[forms.terms], best = hypothesis, _drop_needless(hypothesis)
     whole = [h for h in ranked.values() if set(h.forms.terms) <= set(h.ranking.best.groups)]
     return max(whole, key=lambda h: h.log_posterior, default=hypothesis)

@@ -178,7 +178,6 @@ def compute_sigma_along(size: Array, covariance: Array) -> float:
 
 def rank_under_noise(
     noise: NoiseHypothesis,
-    nominal: Device,
     parts: Sequence[LinearTest],
     start: Collection[Group] = (),
     forms: FormError = NO_ERROR,
@@ -189,10 +188,10 @@ def rank_under_noise(
     Jumps and steps that stand out of the residual are ranked too, and infeasible sizes are refused.
     The search may start from the set that is the most probable under another noise.
     """
-    channel_noise, model_error = _estimate_errors(noise, nominal, parts)
-    tolerances = _list_tolerances(nominal, parts)
+    channel_noise, model_error = _estimate_errors(noise, parts)
+    tolerances = _list_tolerances(parts)
     tolerances.update(forms.sigmas.items())
-    is_feasible = make_feasibility_check(nominal, parts[0].sensitivities)
+    is_feasible = make_feasibility_check(parts[0].nominal, parts[0].sensitivities)
 
     def rank(start: Collection[Group], jumps: Sequence[Jump] = ()) -> Hypothesis:
         whole = build_design(parts, channel_noise, model_error, jumps, tuple(forms.sigmas))
@@ -202,10 +201,8 @@ def rank_under_noise(
 
     hypothesis = rank(start)
     removed = select_distinct(hypothesis.sizes, hypothesis.effect_sizes)
-    residuals = [
-        compute_residuals(parts, r, channel_noise, nominal, ("gyro_angle",)) for r in removed
-    ]
-    quantum = nominal.quantization_step
+    residuals = [compute_residuals(parts, r, channel_noise, ("gyro_angle",)) for r in removed]
+    quantum = parts[0].nominal.quantization_step
     jumps = {jump for r in residuals for jump in (*find_jumps(r), *find_steps(r, quantum))}
     if not jumps:
         return hypothesis
@@ -214,27 +211,26 @@ def rank_under_noise(
 
 def rank_roughly(
     noise: NoiseHypothesis,
-    nominal: Device,
     parts: Sequence[LinearTest],
     linearization_error: float,
 ) -> Hypothesis:
     """Rank sets under one noise of the output angle, where the linear model may get this chi-square
     wrong in each channel of each test (Eq. (10)): it counts as noise."""
-    channel_noise, model_error = _estimate_errors(noise, nominal, parts)
+    channel_noise, model_error = _estimate_errors(noise, parts)
     error = {where: linearization_error + power for where, power in model_error.items()}
     whole = build_design(parts, channel_noise, model_error)
-    tolerances = _list_tolerances(nominal, parts)
+    tolerances = _list_tolerances(parts)
     rough = KnownParameters(discount_model_error(whole, error), tolerances)
     exact = KnownParameters(whole, tolerances)
     return Hypothesis(noise, channel_noise, rough, rank_sets(rough.marginal), exact)
 
 
 def _estimate_errors(
-    noise: NoiseHypothesis, nominal: Device, parts: Sequence[LinearTest]
+    noise: NoiseHypothesis, parts: Sequence[LinearTest]
 ) -> tuple[CampaignNoise, dict[TestChannel, float]]:
     """Noise of all channels under a noise of the output angle; and the chi-square that the
     simulation may get wrong in each channel of each test, with what is left unexplained there."""
-    nominal_noise = estimate_nominal_noise(nominal, parts)
+    nominal_noise = estimate_nominal_noise(parts)
     model_error = compute_model_error(parts, nominal_noise)
     for part in parts:
         for channel, power in part.test.unexplained.items():
@@ -242,20 +238,20 @@ def _estimate_errors(
     return replace(nominal_noise, angle=noise.noise), model_error
 
 
-def suppose_nothing(nominal: Device, parts: Sequence[LinearTest]) -> Hypothesis:
+def suppose_nothing(parts: Sequence[LinearTest]) -> Hypothesis:
     """The hypothesis that nothing takes part, not even within its tolerance, and the noise is the
     stated one."""
-    channel_noise = estimate_nominal_noise(nominal, parts)
+    channel_noise = estimate_nominal_noise(parts)
     known = KnownParameters(build_design(parts, channel_noise), {})
     ranking = Ranking((NO_GROUPS,), (1.0,), 0.0)
     noise = NoiseHypothesis(channel_noise.angle, ())
     return Hypothesis(noise, channel_noise, known, ranking, known)
 
 
-def _list_tolerances(nominal: Device, parts: Sequence[LinearTest]) -> dict[Effect | Form, float]:
+def _list_tolerances(parts: Sequence[LinearTest]) -> dict[Effect | Form, float]:
     """Tolerance of each known parameter, SI."""
     known = [effect for effect in parts[0].sensitivities if effect.family != "gyro"]
-    return {effect: effect.tolerance_of(nominal) for effect in known}
+    return {effect: effect.tolerance_of(parts[0].nominal) for effect in known}
 
 
 def make_feasibility_check(nominal: Device, effects: Collection[Effect]) -> Callable[[Fit], bool]:
@@ -279,9 +275,11 @@ def make_feasibility_check(nominal: Device, effects: Collection[Effect]) -> Call
     return is_feasible
 
 
-def estimate_nominal_noise(nominal: Device, parts: Sequence[LinearTest]) -> CampaignNoise:
+def estimate_nominal_noise(parts: Sequence[LinearTest]) -> CampaignNoise:
     """Noise of all channels, that of the output angle as the nominal gyro states it; others from
     the residuals of the simulated device."""
     tests = [p.test for p in parts]
     residuals = [{n: getattr(p.test.log, n) - p.simulated[n] for n in CHANNELS} for p in parts]
-    return estimate_campaign_noise(nominal, tests, residuals, parts[0].device.thermometer_lag)
+    return estimate_campaign_noise(
+        parts[0].nominal, tests, residuals, parts[0].device.thermometer_lag
+    )

@@ -15,7 +15,6 @@ from scipy.optimize import brentq
 from scipy.special import ndtr, softmax
 
 from pyhrg.common.arrays import Array
-from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import Effect, NoiseEffect
 from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS
@@ -122,7 +121,6 @@ def average_posteriors(posteriors: Sequence[Posterior]) -> Posterior:
 
 def compare_noises(
     first: Hypothesis,
-    nominal: Device,
     parts: Sequence[LinearTest],
     noises: Sequence[NoiseEffect],
 ) -> Posterior:
@@ -144,11 +142,11 @@ def compare_noises(
         if not due:
             break
         tried.update(tuple(removed) for removed in due)
-        suggested = [suggest_noises(best, removed, nominal, parts, noises) for removed in due]
+        suggested = [suggest_noises(best, removed, parts, noises) for removed in due]
         for noise in itertools.chain.from_iterable(suggested):
             known = by_kind.get(noise.kind)
             if known is None or not are_equal(known.noise.noise, noise.noise):
-                rival = rank_with_forms(noise, nominal, parts, best)
+                rival = rank_with_forms(noise, parts, best)
                 by_kind[noise.kind] = max(known or rival, rival, key=_LOG_POSTERIOR)
         best = max(by_kind.values(), key=_LOG_POSTERIOR)
     order = sorted(by_kind.values(), key=_LOG_POSTERIOR, reverse=True)

@@ -15,7 +15,6 @@ from scipy.special import expit, logsumexp, ndtri
 from scipy.stats import rankdata
 
 from pyhrg.common.arrays import Array
-from pyhrg.device.device import Device
 from pyhrg.gap.effects.design import Sizes
 from pyhrg.gap.effects.linear_test import LinearTest
 from pyhrg.gap.evidence.evidence import HALF_UNNAMED_ODDS, compute_log_evidence
@@ -67,7 +66,7 @@ class ResidualFeature:
 
 
 def compute_checked_residuals(
-    hypothesis: Hypothesis, removed: Sizes, parts: Sequence[LinearTest], nominal: Device
+    hypothesis: Hypothesis, removed: Sizes, parts: Sequence[LinearTest]
 ) -> list[Residual]:
     """Residuals in which features are looked for, without these groups, under the noise of a
     hypothesis.
@@ -77,17 +76,17 @@ def compute_checked_residuals(
     coarse thermometer.
     """
     noise = hypothesis.channel_noise
-    channels = CHANNELS[1:] if is_coarsely_quantized(nominal) else CHANNELS
+    channels = CHANNELS[1:] if is_coarsely_quantized(parts[0].nominal) else CHANNELS
     errors = hypothesis.design.model_error
     coarse = {
         (part.test.test.id, channel)
         for part in parts
-        if is_table_coarse(part.test, nominal)
+        if is_table_coarse(part.test, part.nominal)
         for channel in part.test.reading_noise
     }
     return [
         r
-        for r in compute_residuals(parts, removed, noise, nominal, channels, errors)
+        for r in compute_residuals(parts, removed, noise, channels, errors)
         if not (r.channel in noise.per_kelvin and noise.reading_steps[r.test])
         and (r.test, r.channel) not in coarse
     ]

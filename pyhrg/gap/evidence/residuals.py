@@ -61,7 +61,6 @@ def compute_residuals(
     parts: Sequence[LinearTest],
     removed: Sizes,
     noise: CampaignNoise,
-    nominal: Device,
     channels: Sequence[str] = CHANNELS,
     model_error: Mapping[TestChannel, float] | None = None,
 ) -> list[Residual]:
@@ -88,7 +87,7 @@ def compute_residuals(
             values = part.at_measured_angle(series, angle, channel)[:, 0]
             rows = part.test.rows[channel]
             if channel == "gyro_angle":
-                rows = rows & is_nominal(part.test.log, nominal)
+                rows = rows & is_nominal(part.test.log, part.nominal)
             residuals.append(
                 Residual(
                     part.test.test.id,

@@ -100,10 +100,8 @@ def _compute_responses(
     attribution: Attribution, before: Sizes, after: Sizes
 ) -> Mapping[str, list[tuple[Array, Array]]]:
     """Times and response of what is removed between two residuals, by channel, for each test."""
-    noise, nominal = attribution.channel_noise, attribution.nominal
-    ends = [
-        compute_residuals(attribution.parts, removed, noise, nominal) for removed in (before, after)
-    ]
+    noise = attribution.channel_noise
+    ends = [compute_residuals(attribution.parts, removed, noise) for removed in (before, after)]
     responses: dict[str, list[tuple[Array, Array]]] = {name: [] for name in CHANNELS}
     for first, last in zip(*ends, strict=True):
         responses[first.channel].append((first.times, first.values - last.values))

@@ -39,9 +39,7 @@ MENTIONED_PROBABILITY = 0.01
 def check_residuals(attribution: Attribution) -> tuple[ResidualFeature, ...]:
     """Lines and stretches of other noise in the residuals of the most probable hypothesis."""
     best = attribution.posterior.best
-    return find_residual_features(
-        compute_checked_residuals(best, best.sizes, attribution.parts, attribution.nominal)
-    )
+    return find_residual_features(compute_checked_residuals(best, best.sizes, attribution.parts))
 
 
 def reach_verdict(

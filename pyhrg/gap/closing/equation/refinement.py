@@ -66,7 +66,7 @@ def refine_terms(
         posterior = _search_around(attribution, parts)
         has_converged = _have_converged(posterior, sizes)
         if has_converged or number == MAX_ROUNDS or not _has_terms(posterior):
-            posterior = compare_noises(posterior.best, attribution.nominal, parts, noises)
+            posterior = compare_noises(posterior.best, parts, noises)
             has_converged = _have_converged(posterior, sizes)
         attribution = replace(attribution, parts=tuple(parts), posterior=posterior)
         if has_converged:
@@ -152,7 +152,7 @@ def _find_tests(
 def _search_around(attribution: Attribution, parts: Sequence[LinearTest]) -> Posterior:
     """The search with newly linearized tests, under the present noise."""
     best = attribution.posterior.best
-    hypothesis = rank_with_forms(best.noise, attribution.nominal, parts, best)
+    hypothesis = rank_with_forms(best.noise, parts, best)
     return Posterior((hypothesis,), (1.0,))
 
 

@@ -185,7 +185,6 @@ class _Iteration:
 
     def _search(self) -> None:
         """Rank sets and noises; noises are compared again where the best set changed."""
-        nominal = self._nominal
         if self._linearization_error:
             power = LINEARIZATION_ERROR * self._measure_gap()
             self._linearization_error = min(self._linearization_error, power)
@@ -208,7 +207,7 @@ class _Iteration:
             others = self.posterior.hypotheses[1:]
             self.posterior = replace(self.posterior, hypotheses=(hypothesis, *others))
         else:
-            self.posterior = compare_noises(hypothesis, nominal, self.parts, self._catalogue.noises)
+            self.posterior = compare_noises(hypothesis, self.parts, self._catalogue.noises)
             is_near = self.step_length(hypothesis) < LINEAR_DISTANCE
             self._compared_groups = self.posterior.best.ranking.best.groups if is_near else None
 
@@ -216,7 +215,7 @@ class _Iteration:
         """Let what the most probable hypothesis leaves of the residual count against all of them;
         whether it is more than before."""
         best = self.posterior.best
-        residuals = compute_checked_residuals(best, best.sizes, self.parts, self._nominal)
+        residuals = compute_checked_residuals(best, best.sizes, self.parts)
         tests = count_unexplained(self._tests, measure_unexplained(residuals))
         if tests is None:
             return False
@@ -230,24 +229,24 @@ class _Iteration:
         nominal = self._nominal
         effects = self._catalogue.parameters
         moved: dict[Group, Array] = {e: e.vector(self.device) - e.vector(nominal) for e in effects}
-        noise = estimate_nominal_noise(nominal, self.parts)
-        residuals = compute_residuals(self.parts, moved, noise, nominal, CURVED_CHANNELS)
+        noise = estimate_nominal_noise(self.parts)
+        residuals = compute_residuals(self.parts, moved, noise, CURVED_CHANNELS)
         return sum(max(float(r.white @ r.white) - len(r.white), 0.0) for r in residuals)
 
     def _rank(self) -> Hypothesis:
         """Sets under the present noise, at last beside the forms that terms may have."""
-        nominal, error = self._nominal, self._linearization_error
+        error = self._linearization_error
         if error:
-            return rank_roughly(self.noise, nominal, self.parts, error)
+            return rank_roughly(self.noise, self.parts, error)
         noises, last = self._catalogue.noises, self._last_exact
         if last:
-            hypothesis = rank_with_forms(self.noise, nominal, self.parts, last)
+            hypothesis = rank_with_forms(self.noise, self.parts, last)
         else:
-            hypothesis = rank_anew(self.noise, nominal, self.parts, noises)
+            hypothesis = rank_anew(self.noise, self.parts, noises)
         for _ in range(MAX_PERIODS):
             if not self._take_period(hypothesis):
                 break
-            hypothesis = rank_anew(self.noise, nominal, self.parts, noises)
+            hypothesis = rank_anew(self.noise, self.parts, noises)
         self._last_exact = hypothesis
         return hypothesis
 
@@ -255,9 +254,7 @@ class _Iteration:
         """Let terms have the period of the line that the residual shows without the effects of a
         hypothesis; whether it is a new one."""
         effects = dict[Group, Array](hypothesis.effect_sizes.items())
-        period = find_period(
-            compute_checked_residuals(hypothesis, effects, self.parts, self._nominal)
-        )
+        period = find_period(compute_checked_residuals(hypothesis, effects, self.parts))
         known = self._tests[0].line_period
         if period is None:
             return False

@@ -64,8 +64,8 @@ def found(
     noise: NoiseModel, added: Array = NOTHING, noises: Sequence[NoiseEffect] = NOISES
 ) -> Posterior:
     parts = parts_of(noise, SEED, added)
-    first = rank_under_noise(NoiseHypothesis(build_angle_noise(BELIEVED), ()), BELIEVED, parts)
-    return compare_noises(first, BELIEVED, parts, noises)
+    first = rank_under_noise(NoiseHypothesis(build_angle_noise(BELIEVED), ()), parts)
+    return compare_noises(first, parts, noises)
 
 
 def test_a_walking_rate_is_noise() -> None:
@@ -121,7 +121,7 @@ def test_a_walk_that_the_catalogue_lacks_is_unnamed() -> None:
 
 def test_probabilities_are_those_of_all_hypotheses() -> None:
     plain = rank_under_noise(
-        NoiseHypothesis(build_angle_noise(BELIEVED), ()), BELIEVED, parts_of(WALKING, 1, NOTHING)
+        NoiseHypothesis(build_angle_noise(BELIEVED), ()), parts_of(WALKING, 1, NOTHING)
     )
     walk = AddedNoise(NOISES[1], 1.0, (0.5, 2.0), math.log(9.0), 0.0)
     named = Ranking((Fit((SILENT,), 0.0, 0.0, (np.ones(1),), (np.eye(1),)),), (1.0,), 0.0)

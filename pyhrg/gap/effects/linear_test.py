@@ -157,8 +157,9 @@ class LinearTest:
     def _begins_elsewhere(self) -> bool:
         """Whether the first output angle is another than the nominal gyro's."""
         residual = self.residual["gyro_angle"]
+        residual = residual[np.isfinite(residual)]
         noise = estimate_robust_deviation(np.diff(residual))
-        return abs(float(residual[0])) > ORIGIN_SIGMA * noise
+        return len(residual) > 0 and abs(float(residual[0])) > ORIGIN_SIGMA * noise
 
     def at_measured_angle(self, series: Array, angles: Array, channel: str) -> Array:
         """(n, p) series of a channel, referred to the measured pattern angle instead of the

@@ -2,6 +2,8 @@
 
 from dataclasses import replace
 
+import numpy as np
+
 from pyhrg.common.units import DEG
 from pyhrg.gap.diagnose import diagnose
 from pyhrg.gap.replay.simulation import Simulation
@@ -12,16 +14,18 @@ from tests.pyhrg.gap.soundness.conftest import NOMINAL
 from tests.pyhrg.gap.soundness.spoil import change_logs
 
 ANISOTROPY = 2e-6
+LOST_ROW = 40
 OFFSETS = (0.0, 0.25 * DEG, -11 * DEG)
 """None, one within what a pick-off may be wrong, and one beyond that, rad."""
 
 
 def shift_origins(campaign: Campaign) -> Campaign:
-    """Each log with another offset in turn."""
+    """Each log with another offset in turn, and without a row."""
     offsets = {test.log.source: OFFSETS[i % 3] for i, test in enumerate(campaign.tests)}
 
     def shift(log: Log) -> Log:
-        return replace(log, gyro_angle=log.gyro_angle + offsets[log.source])
+        angle = log.gyro_angle + offsets[log.source]
+        return replace(log, gyro_angle=np.where(np.arange(len(angle)) == LOST_ROW, np.nan, angle))
 
     return change_logs(campaign, shift)
 

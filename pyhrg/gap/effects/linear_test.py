@@ -136,8 +136,8 @@ class LinearTest:
         """
         device, interval = self.device, self.test.log.interval
         shapes = dict(compute_carrier_terms(device, self.test, self.where.pattern_angle))
-        lag = device.thermometer_lag
-        case, resonator, case_rate = compute_temperatures(self.test, device)
+        lag, read = device.thermometer_lag, replace(device, thermometer_lag=0.0)
+        case, resonator, case_rate = compute_temperatures(self.test, read)
         bend = case_rate - (case - resonator) / device.thermal_lag
         kelvin = lag * (lag + interval) / 2 / device.thermal_lag * bend
         for channel, slope in compute_temperature_slopes(device).items() if lag else ():

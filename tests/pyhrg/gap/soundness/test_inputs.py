@@ -73,6 +73,23 @@ def test_missing_values_of_inputs_are_filled(error_free: Campaign, field: str) -
     assert sentences == ["neg: 3 missing rows: inputs filled in, outputs not"]
 
 
+def test_a_row_is_filled_while_the_table_changes_its_rate(error_free: Campaign) -> None:
+    """The cubic is nearer to it than a straight line, which is off by 0.6 deg."""
+    log, sentences = screen_changed(error_free, without_rows([19]), "pos")
+    whole = log_of(error_free, "pos").table_angle
+    assert sentences == ["pos: 1 missing rows: inputs filled in, outputs not"]
+    assert len(log.table_angle) == len(whole)
+    off = np.abs(log.table_angle - whole)
+    assert 0 < off[19] < np.abs((whole[18] + whole[20]) / 2 - whole[19])
+    assert not np.delete(off, 19).any()
+
+
+def test_a_missing_temperature_cuts_no_turn(error_free: Campaign) -> None:
+    log, _ = screen_changed(error_free, at(slice(10, 30), np.nan, "temperature"), "pos")
+    np.testing.assert_array_equal(log.table_angle, log_of(error_free, "pos").table_angle)
+    assert np.isfinite(log.temperature).all()
+
+
 def test_a_known_row_between_two_missing_ones_cuts_nothing(error_free: Campaign) -> None:
     """Nothing is known of the rate in the row that is known alone."""
     log, sentences = screen_changed(error_free, without_rows([100, 102, 104]), "still")

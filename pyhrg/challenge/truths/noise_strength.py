@@ -17,6 +17,9 @@ from pyhrg.gap.effects.catalogue import NoiseEffect
 LEVELS = ("angle_random_walk", "angle_white_noise")
 STATED_LEVEL_SIGMA = 0.03
 """Standard deviation of the logarithm of a stated noise level."""
+MAX_LEVEL_LOGARITHM = 10.0
+"""Largest magnitude of the logarithm of a level over the stated one that the minimization tries.
+Chosen: far beyond the minimum, whose prior is 333 standard deviations away; no number overflows."""
 
 
 def set_noise(device: Device, noise: NoiseEffect, value: float) -> Device:
@@ -31,7 +34,8 @@ def measure_noise(device: Device, other: Device, courses: Sequence[Course]) -> f
     `STATED_LEVEL_SIGMA`."""
 
     def compute_squared_strength(logarithms: Array) -> float:
-        off = zip(LEVELS, np.exp(STATED_LEVEL_SIGMA * logarithms), strict=True)
+        away = np.clip(STATED_LEVEL_SIGMA * logarithms, -MAX_LEVEL_LOGARITHM, MAX_LEVEL_LOGARITHM)
+        off = zip(LEVELS, np.exp(away), strict=True)
         changed: dict[str, Any] = {name: getattr(other, name) * x for name, x in off}
         moved = replace(other, **changed)
         divergence = sum(_divergence(device, moved, course) for course in courses)

@@ -11,6 +11,7 @@ from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.challenge.campaigns.instruments import Instruments
 from pyhrg.challenge.campaigns.laboratory import vary_each
 from pyhrg.challenge.truths.meter import Meter, make_measured_course
+from pyhrg.challenge.truths.noise_strength import measure_noise
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H
 from pyhrg.device.device import Device
@@ -140,6 +141,15 @@ def test_quantisation_and_white_noise_stand_in_for_each_other(simulation: Simula
     assert measuring.sigmas_of_noise(coarse) > 10
     assert measuring.sigmas_of_noise_beyond(by_name["angle_white_noise"], coarse) < 0.1
     assert measuring.sigmas_of_noise_beyond(by_name["rate_random_walk"], coarse) > 10
+
+
+def test_any_noise_has_a_strength() -> None:
+    """Also one that no tolerance of a stated level explains; no number overflows on the way."""
+    stated = replace(GYRO, angle_random_walk=1e-5)
+    loud = replace(GYRO, bias_instability=1e-2)
+    rests = ((0.1, 400.0), (1.0, 3600.0))
+    courses = [make_course(Programme(row, GRAVITY).rest(time), row) for row, time in rests]
+    assert 10 < measure_noise(loud, stated, courses) < math.inf
 
 
 def test_noise_that_comes_is_as_strong_as_its_divergence_from_steady_noise(

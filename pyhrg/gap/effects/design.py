@@ -89,8 +89,15 @@ class Design:
     @cached_property
     def log_volumes(self) -> dict[Group, float]:
         """Half the log determinant of each group's own products."""
-        own = {group: self.gram[np.ix_(where, where)] for group, where in self.columns.items()}
-        return {g: float(np.linalg.slogdet(gram)[1]) / 2 for g, gram in own.items()}
+        by_size: dict[int, list[Group]] = {}
+        for group, where in self.columns.items():
+            by_size.setdefault(len(where), []).append(group)
+        volumes: dict[Group, float] = {}
+        for groups in by_size.values():
+            where = np.array([self.columns[group] for group in groups])
+            own = self.gram[where[:, :, None], where[:, None, :]]
+            volumes.update(zip(groups, (np.linalg.slogdet(own)[1] / 2).tolist(), strict=True))
+        return volumes
 
     @cached_property
     def namesakes(self) -> dict[Effect, CandidateTerm]:
@@ -118,7 +125,7 @@ class Design:
                     closest[effect] = float(remaining[best]), terms[best]
         return {effect: term for effect, (_, term) in closest.items()}
 
-    @property
+    @cached_property
     def groups(self) -> list[Group]:
         """Groups all of whose columns the tests see."""
         return [group for group, own in self.columns.items() if (self.norms[own] > 0).all()]
@@ -211,13 +218,14 @@ def _add_products(total: Array, where: NDArray[np.int64], grams: Sequence[Array]
     the design's columns in each test; what all tests have in the same columns is summed first."""
     is_shared = (where == where[0]).all(axis=0)
     shared = where[0][is_shared]
-    summed = np.zeros((len(shared), len(shared)))
+    summed = np.zeros((len(is_shared), len(is_shared)))
     for places, gram in zip(where, grams, strict=True):
         products, own = gram[:-1, :-1], places[~is_shared]
-        summed += products[np.ix_(is_shared, is_shared)]
-        total[np.ix_(own, places)] += products[~is_shared]
-        total[np.ix_(shared, own)] += products[np.ix_(is_shared, ~is_shared)]
-    total[np.ix_(shared, shared)] += summed
+        summed += products
+        if len(own):
+            total[np.ix_(own, places)] += products[~is_shared]
+            total[np.ix_(shared, own)] += products[np.ix_(is_shared, ~is_shared)]
+    total[np.ix_(shared, shared)] += summed[np.ix_(is_shared, is_shared)]
 
 
 def select_groups(design: Design, groups: Sequence[Group]) -> Design:

@@ -108,7 +108,8 @@ def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
     gram = design.gram[where[:, None], where]
     factor, failed = dpotrf(gram)
     diagonal = factor.diagonal()
-    limits = np.repeat([get_min_free_variance(group) for group in groups], sizes)
+    pairs = zip(groups, sizes, strict=True)
+    limits = [limit for g, size in pairs for limit in [get_min_free_variance(g)] * size]
     if failed or (diagonal**2 < limits).any():
         return None
     projection = design.projection[where]

@@ -18,12 +18,14 @@ class _GroupsOfSize:
 
     indices: (m,) of the groups.
     columns: (m, d) of the design.
+    gram: (m, d, d) products of each group's own columns.
     min_variance: (m,) share of their power that a set must leave (`get_min_free_variance`).
     prior: (m,) log odds.
     """
 
     indices: NDArray[np.int64]
     columns: NDArray[np.int64]
+    gram: Array
     min_variance: Array
     prior: Array
 
@@ -34,9 +36,9 @@ class _GroupsOfSize:
         its prior, and half the decrease of chi-square. `shares`, (k, p): how much of each column of
         the set is in each column of the design. Directions in which the set leaves too little of a
         group's columns count nothing."""
-        shared, own_shares = gram[self.columns][:, :, fitted], shares[:, self.columns]
-        own = gram[self.columns[:, :, None], self.columns[:, None, :]]
-        own = own - np.einsum("mak,kmb->mab", shared, own_shares)
+        shared = np.moveaxis(gram[self.columns, fitted[:, None, None]], 0, 2)
+        own_shares = shares[:, self.columns]
+        own = self.gram - np.einsum("mak,kmb->mab", shared, own_shares)
         along = projection[self.columns] - np.einsum("kma,k->ma", own_shares, projection[fitted])
         values, vectors = np.linalg.eigh(own)
         powers = np.einsum("mai,ma->mi", vectors, along) ** 2
@@ -63,15 +65,18 @@ class Extensions:
         by_size: dict[int, list[int]] = {}
         for i in allowed:
             by_size.setdefault(len(self._columns[i]), []).append(i)
-        self._by_size = [
-            _GroupsOfSize(
-                np.array(own),
-                np.array([self._columns[i] for i in own]),
-                np.array([get_min_free_variance(groups[i]) for i in own]),
-                np.array([prior[i] for i in own]),
+        self._by_size = []
+        for own in by_size.values():
+            columns = np.array([self._columns[i] for i in own])
+            self._by_size.append(
+                _GroupsOfSize(
+                    np.array(own),
+                    columns,
+                    design.gram[columns[:, :, None], columns[:, None, :]],
+                    np.array([get_min_free_variance(groups[i]) for i in own]),
+                    np.array([prior[i] for i in own]),
+                )
             )
-            for own in by_size.values()
-        ]
 
     def list_best(self, key: Collection[int], count: int) -> list[int]:
         """Indices of those groups that a set lacks and that would explain most of what it leaves,

@@ -14,6 +14,7 @@ Mean and standard deviation over positions are those over the circumference (pap
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -68,10 +69,16 @@ class Plan:
         number = np.arange(self.positions, dtype=np.float64)
         return start - number * self.pattern_step, number * self.table_step
 
-    def inflation(self) -> float:
-        """Largest variance inflation factor over terms and start angles."""
-        columns = (make_columns(*self.angles(start), HARMONICS, tilt=True) for start in STARTS)
-        return max(max(compute_inflations(each).values()) for each in columns)
+    def inflation(self, limit: float = math.inf) -> float:
+        """Largest variance inflation factor over terms and start angles; over the first start
+        angles only, where that exceeds the limit already."""
+        largest = 0.0
+        for start in STARTS:
+            columns = make_columns(*self.angles(start), HARMONICS, tilt=True)
+            largest = max(largest, *compute_inflations(columns).values())
+            if largest > limit:
+                break
+        return largest
 
 
 def select_visible(
@@ -120,6 +127,7 @@ def select_visible(
     return sorted(accepted), with_tilt, refused
 
 
+@lru_cache(maxsize=64)
 def choose_plan(positions: int, bryan_factor: float = 0.277) -> Plan:
     """The plan with the smallest variance inflation; of equal plans, that with the shortest steps.
 
@@ -133,7 +141,13 @@ def choose_plan(positions: int, bryan_factor: float = 0.277) -> Plan:
         for part in range(1, positions)
     ]
     plans = [p for p in plans if positions * p.table_step <= LARGEST_TURNS * 2 * math.pi]
-    return min(plans, key=lambda plan: (round(plan.inflation(), 1), plan.pattern_step))
+    plans.sort(key=lambda plan: plan.pattern_step)
+    chosen, smallest = plans[0], math.inf
+    for plan in plans:
+        inflation = round(plan.inflation(smallest), 1)
+        if inflation < smallest:
+            chosen, smallest = plan, inflation
+    return chosen
 
 
 STEP_TOLERANCE = 0.3

@@ -167,8 +167,14 @@ def write_log(log: Log, path: Path) -> None:
     """
     columns = [c for c in COLUMNS if np.isfinite(getattr(log, c.field)).any()]
     values = [(getattr(log, c.field) - c.offset) / c.factor for c in columns]
-    line = ",".join(f"%.{c.digits}g" for c in columns) + "\n"
-    rows = zip(*(v.tolist() for v in values), strict=True)
+    formats, varying = [], []
+    for column, series in zip(columns, values, strict=True):
+        text = f"%.{column.digits}g"
+        is_constant = series.tobytes() == series[:1].tobytes() * len(series)
+        formats.append(text % series[0] if is_constant else text)
+        varying += [] if is_constant else [series.tolist()]
+    line = ",".join(formats) + "\n"
+    rows = zip(*varying, strict=True) if varying else [()] * len(log.time)
     names = ",".join(c.name for c in columns) + "\n"
     data = (names + "".join(map(line.__mod__, rows))).encode()
     write_whole(

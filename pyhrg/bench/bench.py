@@ -135,7 +135,7 @@ class Bench:
     def _log_alike(self, power_ons: Sequence[PowerOn]) -> list[Test]:
         """Tests of power-ons of one number and length of rows, which are simulated together."""
         store = self.store
-        keys = [self._compute_key(each) for each in power_ons]
+        keys = [self._compute_key(e) if store else str(n) for n, e in enumerate(power_ons)]
         logs = {k: log for k in keys if store and (log := store.load(k)) is not None}
         missing = [(k, each) for k, each in zip(keys, power_ons, strict=True) if k not in logs]
         simulated = self._simulate([each for _, each in missing])

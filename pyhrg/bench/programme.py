@@ -1,7 +1,7 @@
 """Programme of a power-on: what the bench does to the gyro, row by row and step by step."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from operator import itemgetter
@@ -76,8 +76,8 @@ class Programme:
         for name, series in quantities.items():
             if name not in self._commands or len(series) != len(self):
                 raise ValueError(f"{name}: expected a command and {len(self)} values")
-            for row, value in zip(self._rows, series.tolist(), strict=True):
-                row[name] = value
+            values = zip(self._rows, series.tolist(), strict=True)
+            self._rows = [{**row, name: value} for row, value in values]
         return self
 
     def current(self, name: str) -> float:
@@ -104,9 +104,8 @@ class Programme:
 
     def spin(self, rate: float, duration: float) -> "Programme":
         """Turn the table at a rate, rad/s, that it reaches within the first row, for a time, s."""
-        for _ in range(self._count(duration)):
-            self._append(rate, self._temperatures[-1])
-        return self
+        rows = self._count(duration)
+        return self._append([rate] * rows, self._temperatures[-1:] * rows)
 
     def turn(self, angle: float, rate: float) -> "Programme":
         """Turn the table by an angle, rad, no faster than `rate`, rad/s, and stop it."""
@@ -118,9 +117,8 @@ class Programme:
         """Change the case's temperature linearly to one in K within a time, s, at rest."""
         rows = self._count(duration)
         begin = self._temperatures[-1]
-        for row in range(1, rows + 1):
-            self._append(0.0, begin + (temperature - begin) * row / rows)
-        return self
+        heated = [begin + (temperature - begin) * row / rows for row in range(1, rows + 1)]
+        return self._append([0.0] * rows, heated)
 
     def set_temperatures(self, temperatures: Array) -> "Programme":
         """Replace the case's temperature at the bounds of the n rows so far, (n + 1,), K."""
@@ -160,10 +158,11 @@ class Programme:
             raise ValueError(f"{duration:g} s is no multiple of the rows' {self.interval:g} s")
         return rows
 
-    def _append(self, rate: float, temperature: float) -> None:
-        self._rates.append(rate)
-        self._temperatures.append(temperature)
-        self._rows.append(dict(self._commands))
+    def _append(self, rates: Sequence[float], temperatures: Sequence[float]) -> "Programme":
+        self._rates += rates
+        self._temperatures += temperatures
+        self._rows += [dict(self._commands)] * len(rates)
+        return self
 
 
 @dataclass(frozen=True)

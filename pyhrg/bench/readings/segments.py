@@ -176,13 +176,18 @@ def _read_point(log: Log, site: Site, first: int, last: int, dwell: int) -> tupl
     whole, after = slice(first, last + 1), slice(first + 1, last + 1)
     swept, span = log.gyro_angle[last] - log.gyro_angle[first], log.time[last] - log.time[first]
     return (
-        swept / span - site.vertical_rate * np.mean(log.axis_up[after]),
-        np.mean(log.wave_angle[whole]),
-        np.mean(log.table_angle[whole]),
-        [np.mean(getattr(log, name)[after]) for name in FORCES],
+        swept / span - site.vertical_rate * _average(log.axis_up[after]),
+        _average(log.wave_angle[whole]),
+        _average(log.table_angle[whole]),
+        [_average(getattr(log, name)[after]) for name in FORCES],
         (log.time[first] + log.time[last]) / 2,
         span,
         first,
         last,
         dwell,
     )
+
+
+def _average(values: Array) -> float:
+    """The mean as `np.mean` gives it, which takes several times as long for so few values."""
+    return float(np.add.reduce(values)) / len(values)

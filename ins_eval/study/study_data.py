@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -54,18 +55,18 @@ class StudyData:
         """Probability of the predicted intervals, percent."""
         return float(self.about[INTERVAL_PERCENT])
 
-    @property
+    @cached_property
     def calibrations(self) -> list[str]:
         """Calibrations of the study, the mean first, as every report shows them."""
         names = map(str, self.table[columns.CALIBRATION].unique())
         return sorted(names, key=lambda name: (name != MEAN, name))
 
-    @property
+    @cached_property
     def classes(self) -> list[str]:
         """Mission classes in the order of the study."""
         return list(map(str, dict.fromkeys(self.table[columns.CLASS])))
 
-    @property
+    @cached_property
     def missions(self) -> list[str]:
         """Missions in the order of the study."""
         return list(map(str, dict.fromkeys(self.table[columns.MISSION])))

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from pyhrg.device import device_file
 from pyhrg.device.device import Device
 from pyhrg.device.keys import KEYS
 from pyhrg.fmu import GyroFmu
+from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records.campaign import Campaign, Test
 from tests.pyhrg.gap.soundness.conftest import NOMINAL
 
@@ -27,11 +29,31 @@ def recorded(
     power_ons: Sequence[PowerOn] | None = None,
 ) -> Campaign:
     """What the bench brings home of one gyro, where another is believed in."""
+    if power_ons is None:
+        return _recorded_short(fmu, device, believed, seed)
     bench = Bench(fmu, device, seed=seed)
-    campaign = bench.campaign(bench.run(short(bench) if power_ons is None else power_ons))
+    campaign = bench.campaign(bench.run(power_ons))
     generator = np.random.default_rng(seed)
     tests = [_read(test, generator) for test in campaign.tests]
     return replace(campaign, nominal=stated(believed), tests=tuple(tests))
+
+
+@cache
+def _recorded_short(fmu: GyroFmu, device: Device, believed: Device, seed: int) -> Campaign:
+    return recorded(fmu, device, believed, seed, short(Bench(fmu, device, seed=seed)))
+
+
+@cache
+def tiny(simulation: Simulation, device: Device = NOMINAL, seed: int = 1) -> Campaign:
+    """A campaign of three short tests; kept, as many tests ask for the same."""
+    bench = Bench(simulation.sampled, device)
+    begun = bench.programme
+    power_ons = [
+        PowerOn("still", "static", begun().rest(200)),
+        PowerOn("pos", "rate", begun(0.1).rest(5).spin(5 * DEG, 66)),
+        PowerOn("ride", "manoeuvre", begun(0.5).rest(5).turn(90 * DEG, 10 * DEG).rest(220)),
+    ]
+    return recorded(simulation.sampled, device, seed=seed, power_ons=power_ons)
 
 
 def short(bench: Bench) -> list[PowerOn]:

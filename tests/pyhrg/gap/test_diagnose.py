@@ -27,7 +27,7 @@ from pyhrg.gap.replay.observations import ObservedTest, observe_test
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records import campaign as campaigns
 from pyhrg.records.campaign import Campaign, CampaignError
-from tests.pyhrg.gap.bench import recorded
+from tests.pyhrg.gap.bench import recorded, tiny
 from tests.pyhrg.gap.soundness.conftest import NOMINAL
 from tests.pyhrg.gap.soundness.spoil import Change, at, change_logs, removed, take_kinds
 
@@ -43,17 +43,6 @@ FEW = tuple(
 
 def diagnosed_few(simulation: Simulation, campaign: Campaign) -> CampaignDiagnosis:
     return diagnose(campaign, catalogue=Catalogue(FEW), simulation=simulation)
-
-
-def tiny(simulation: Simulation, device: Device = NOMINAL, seed: int = 1) -> Campaign:
-    bench = Bench(simulation.sampled, device)
-    begun = bench.programme
-    power_ons = [
-        PowerOn("still", "static", begun().rest(200)),
-        PowerOn("pos", "rate", begun(0.1).rest(5).spin(5 * DEG, 66)),
-        PowerOn("ride", "manoeuvre", begun(0.5).rest(5).turn(90 * DEG, 10 * DEG).rest(220)),
-    ]
-    return recorded(simulation.sampled, device, seed=seed, power_ons=power_ons)
 
 
 @pytest.fixture(scope="module")

@@ -14,10 +14,10 @@ from pyhrg.gap.effects.catalogue import EFFECTS, FULL_CATALOGUE, Catalogue
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.findings.diagnosis import WORSE_HELD_OUT, Gap
 from pyhrg.gap.replay.simulation import Simulation
-from tests.pyhrg.gap.bench import short
+from tests.pyhrg.gap.bench import short, tiny
 from tests.pyhrg.gap.closing.equation.planted import record_planted
 from tests.pyhrg.gap.soundness.conftest import NOMINAL
-from tests.pyhrg.gap.test_diagnose import FEW, tiny
+from tests.pyhrg.gap.test_diagnose import FEW
 
 DELAY = 1e-3
 KEPT = ("still", "positions", "ride")

@@ -30,9 +30,10 @@ from pyhrg.gap.replay.observations import CHANNELS, observe_test
 from pyhrg.gap.replay.sampled import replay_sampled
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records.campaign import Test
+from tests.pyhrg.gap.bench import tiny
 from tests.pyhrg.gap.closing.equation.planted import COS6, SIN6, record_sixth_harmonic
 from tests.pyhrg.gap.soundness.conftest import NOMINAL
-from tests.pyhrg.gap.test_diagnose import FEW, tiny
+from tests.pyhrg.gap.test_diagnose import FEW
 from tests.pyhrg.records.made_up import made_up_log
 
 JUMP_TIME = 30.0

@@ -14,7 +14,7 @@ from ins_eval.study.challenge import challenge
 from ins_eval.study.challenge.score_predictions import NAIVE
 from ins_eval.study.conclusion import write_conclusion
 from ins_eval.study.experiment import compute_block
-from ins_eval.study.gyros.measured_gyro import evaluate_campaigns
+from ins_eval.study.gyros.measured_gyro import MeasuredGyro, evaluate_campaigns
 from ins_eval.study.specification import TRAIN, Study
 from ins_eval.study.tables import columns as c
 from pyhrg.common.cli import main
@@ -56,6 +56,17 @@ def table(out: Path) -> pd.DataFrame:
     return pd.read_parquet(out / "sealed" / "study.parquet")
 
 
+@pytest.fixture(scope="module")
+def benched(out: Path) -> dict[str, MeasuredGyro]:
+    """What the records of each gyro say, by its folder in the hand-out."""
+    return {
+        f"gyros/{folder.name}": evaluate_campaigns(
+            read_campaign(folder / "bench"), read_campaign(folder / "bench-warm")
+        )
+        for folder in (out / "hand-out" / "gyros").iterdir()
+    }
+
+
 def predict(out: Path, name: str, folder: Path) -> Path:
     """Predictions of an example, which sees the hand-out alone."""
     with pytest.MonkeyPatch.context() as patch:
@@ -64,14 +75,13 @@ def predict(out: Path, name: str, folder: Path) -> Path:
     return folder / f"{name}.csv"
 
 
-def test_records_give_the_bench_figures_of_the_study(out: Path, table: pd.DataFrame) -> None:
+def test_records_give_the_bench_figures_of_the_study(
+    out: Path, table: pd.DataFrame, benched: dict[str, MeasuredGyro]
+) -> None:
     flights = pd.read_csv(out / "hand-out" / "flights.csv")
     assert flights["role"].tolist() == ["train"] * 6 + ["test"] * 6
     for row in flights.itertuples():
-        folder = out / "hand-out" / str(row.gyro)
-        measured = evaluate_campaigns(
-            read_campaign(folder / "bench"), read_campaign(folder / "bench-warm")
-        )
+        measured = benched[str(row.gyro)]
         sealed = table[table[c.TRIAD] == row.triad].iloc[0]
         for found, column in (
             (measured.fixed_stability, c.GYROS_FIXED),
@@ -135,14 +145,12 @@ def test_examples_are_scored_beside_ours(
         challenge.score_challenge(out, [files[0], files[0]])
 
 
-def test_strong_example_fits_the_bias_map(out: Path) -> None:
+def test_strong_example_fits_the_bias_map(out: Path, benched: dict[str, MeasuredGyro]) -> None:
     """Against the bench's own fit of the same records: within 10 % of the map's size. Turns of one
     period, as here, determine no scale factor's second harmonic."""
     for folder in (out / "hand-out" / "gyros").iterdir():
         found = load_strong().fit_maps(folder / "bench")[:9]
-        expected = evaluate_campaigns(
-            read_campaign(folder / "bench"), read_campaign(folder / "bench-warm")
-        ).fitted_map[:9]
+        expected = benched[f"gyros/{folder.name}"].fitted_map[:9]
         assert np.linalg.norm(found - expected) < 0.1 * np.linalg.norm(expected), folder.name
 
 

@@ -40,6 +40,8 @@ COMMAND_COLUMNS = (
 )
 """Commands and attitude. After one of them changes, every channel but the output angle is left out
 until the loops settle."""
+MIN_SETTLING_TIME = 4.0
+"""Shortest time after which a change counts as settled, s. Chosen."""
 SETTLING_TIME_CONSTANTS = 24
 """Settling time in time constants of the slowest loop. Chosen: exp(-24) is 4e-11."""
 ACCELERATION_LIMIT = 1e-3
@@ -98,7 +100,7 @@ class ObservedTest:
 def compute_settling_time(device: Device) -> float:
     """Time that loops need to settle after a command or a change of the table's rate, s."""
     slowest = min(device.amplitude_loop, device.quadrature_loop, device.phase_loop)
-    return SETTLING_TIME_CONSTANTS / slowest
+    return max(MIN_SETTLING_TIME, SETTLING_TIME_CONSTANTS / slowest)
 
 
 def observe_test(test: Test, nominal: Device, encoder_noise: float = 0.0) -> ObservedTest:

@@ -114,8 +114,8 @@ class Hypothesis:
         if effect not in self.departures:
             return 0.0
         size, covariance = self.departures[effect]
-        excess = float(np.linalg.norm(size)) - tolerance
-        return compute_beyond_probability(excess, compute_sigma_along(size, covariance))
+        sigma = compute_sigma_along(size, covariance)
+        return compute_beyond_probability(float(np.linalg.norm(size)), tolerance, sigma)
 
     @property
     def log_posterior(self) -> float:

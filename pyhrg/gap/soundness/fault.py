@@ -67,6 +67,9 @@ FAULT_KINDS = (
     *(LOST_ROWS, OUTLIERS),
 )
 """All kinds of faults."""
+TOLERANCE_MARGIN = 0.05
+"""Share of its tolerance by which a quantity may exceed it and still counts as within. Chosen: a
+lag of 20.07 s is no gap where 20 s are tolerated, however well it is known."""
 FAULT_NAMES = tuple(dict.fromkeys(kind.name for kind in FAULT_KINDS))
 """Names of the causes that they make."""
 SOUND_VALUES = {kind.parameter: kind.sound for kind in FAULT_KINDS}
@@ -87,14 +90,15 @@ class Fault:
     @property
     def beyond_probability(self) -> float:
         """Probability that it exceeds its tolerance."""
-        excess = abs(self.value - self.kind.sound) - self.kind.tolerance
-        return compute_beyond_probability(excess, self.sigma)
+        departure = abs(self.value - self.kind.sound)
+        return compute_beyond_probability(departure, self.kind.tolerance, self.sigma)
 
 
-def compute_beyond_probability(excess: float, sigma: float) -> float:
-    """Probability that a normal quantity exceeds its tolerance (docs/methods/verdict.md, Eq. 9),
-    from how far it is found beyond it, and its standard deviation; an exact one does or does not.
-    """
+def compute_beyond_probability(departure: float, tolerance: float, sigma: float) -> float:
+    """Probability that a normal quantity exceeds its tolerance and the margin
+    (docs/methods/verdict.md, Eq. 9), from its departure and its standard deviation; an exact one
+    does or does not."""
+    excess = departure - (1 + TOLERANCE_MARGIN) * tolerance
     return float(norm.cdf(excess / sigma)) if sigma else float(excess > 0)
 
 

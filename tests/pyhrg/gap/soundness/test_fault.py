@@ -8,6 +8,7 @@ from pyhrg.gap.replay.reading_noise import NONE, Level, ReadingNoise
 from pyhrg.gap.soundness import screen_campaign
 from pyhrg.gap.soundness.fault import (
     DRIVE_INTERRUPTION,
+    TOLERANCE_MARGIN,
     Fault,
     LogFaults,
     list_reading_faults,
@@ -59,7 +60,10 @@ def test_a_fault_exceeds_its_tolerance_beyond_its_error() -> None:
     assert short.sigma == pytest.approx(np.sqrt(1 / 6))
     assert short.beyond_probability < 1e-6
     assert long.beyond_probability > 0.999
-    assert Fault(DRIVE_INTERRUPTION, 10.0, 1.0).beyond_probability == pytest.approx(0.5)
+    limit = (1 + TOLERANCE_MARGIN) * DRIVE_INTERRUPTION.tolerance
+    assert Fault(DRIVE_INTERRUPTION, limit, 1.0).beyond_probability == pytest.approx(0.5)
+    assert Fault(DRIVE_INTERRUPTION, 0.999 * limit, 0.0).beyond_probability == 0
+    assert Fault(DRIVE_INTERRUPTION, 1.001 * limit, 0.0).beyond_probability == 1
 
 
 def _interrupted(seconds: float) -> LogFaults:

@@ -15,30 +15,29 @@ from statistics import median
 
 import numpy as np
 
+from pyhrg.challenge.roster import Folder
+from pyhrg.challenge.run import read_finished
+from pyhrg.challenge.scoring.named import list_answered
 from pyhrg.challenge.truths.truth import DETECTION_SIGMAS
-from pyhrg.common.reading.documents import read_json
 from pyhrg.device import device_file
 from pyhrg.gap.effects.catalogue import DETERMINISTIC, EFFECTS
 from pyhrg.gap.findings.diagnosis import Diagnosis
-from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 
 
 def measure_sizes(folder: Path) -> dict[str, list[tuple[float, float]]]:
     """Size, in the unit of the effect's parameter, and rate, deg/h, of 6 sigma by effect, of each
     campaign whose diagnosis names the effect."""
-    sizes = defaultdict(list)
-    for path in sorted((folder / "truths").glob("*.json")):
-        truth, document = read_json(path), folder / "diagnoses" / path.stem / "diagnosis.json"
-        if truth["form"] or not document.is_file():
-            continue
-        diagnosis = read_diagnosis(document)
-        nominal = device_file.read(document.parent / "before.toml")
-        for name, sigmas in zip(truth["effects"], truth["strengths"], strict=True):
-            rate = find_rate(diagnosis, name)
+    challenge, sizes = Folder(folder), defaultdict(list)
+    answered = list_answered(read_finished(challenge).cases)
+    for case in (case for case in answered if case.truth.effects):
+        truth = case.truth
+        nominal = device_file.read(challenge.diagnosis(case.name) / "before.toml")
+        for name, sigmas in zip(truth.effects, truth.strengths, strict=True):
+            rate = find_rate(case.diagnosis, name)
             if name not in EFFECTS or rate is None:
                 continue
             effect, share = EFFECTS[name], DETECTION_SIGMAS / sigmas
-            totals = {key.name: truth["parameters"][key.name] for key in effect.keys}
+            totals = {key.name: truth.parameters[key.name] for key in effect.keys}
             away = effect.vector_of(totals) - effect.vector(nominal)
             size = effect.keys[0].from_si(float(np.linalg.norm(away)))
             sizes[name].append((share * size, share * rate))

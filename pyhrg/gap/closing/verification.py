@@ -39,9 +39,9 @@ def compute_gap_figures(
 
     fitted, held_out = (
         [
-            (test, own, left)
-            for test, own, left in zip(tests, before, after, strict=True)
-            if test.test.is_holdout == is_holdout and np.isfinite(own).any()
+            (test, first, last)
+            for test, first, last in zip(tests, before, after, strict=True)
+            if test.test.is_holdout == is_holdout and np.isfinite(first).any()
         ]
         for is_holdout in (False, True)
     )

@@ -14,7 +14,7 @@ from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.coordinates import Coordinates, compute_temperatures
 from pyhrg.gap.effects.form import Form, build_form_columns, build_reading_columns
 from pyhrg.gap.effects.jump import Jump
-from pyhrg.gap.effects.term_columns import build_term_columns, select_term_columns
+from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.replay.angle_derivatives import AngleDerivatives
 from pyhrg.gap.replay.carrier_terms import compute_carrier_terms
 from pyhrg.gap.replay.inputs.table_steps import shape_rounding_errors
@@ -70,6 +70,16 @@ def shape_origin(bryan_factor: float, slopes: Array) -> Array:
     slopes: (n,) derivative of the output angle by the pattern angle at power-on.
     """
     return 1 - bryan_factor * slopes
+
+
+def shape_late_reading(test: ObservedTest, device: Device) -> Array:
+    """(n,) change of the resonator's temperature that the second order of the thermometer's lag
+    makes, K (docs/methods/whitening.md, Eq. 18): of the readings, since what a late reading lacks
+    is a series in their derivatives."""
+    lag, read = device.thermometer_lag, replace(device, thermometer_lag=0.0)
+    case, resonator, case_rate = compute_temperatures(test, read)
+    bend = case_rate - (case - resonator) / device.thermal_lag
+    return np.asarray(lag * (lag + test.log.interval) / 2 / device.thermal_lag * bend)
 
 
 @dataclass(frozen=True)
@@ -134,14 +144,12 @@ class LinearTest:
         its origin, with which the pattern's start is wrong too, the encoder's rounding, and what
         the thermometer's noise makes of it (docs/methods/whitening.md, Eqs. 18 to 19).
         """
-        device, interval = self.device, self.test.log.interval
+        device = self.device
         shapes = dict(compute_carrier_terms(device, self.test, self.where.pattern_angle))
-        lag, read = device.thermometer_lag, replace(device, thermometer_lag=0.0)
-        case, resonator, case_rate = compute_temperatures(self.test, read)
-        bend = case_rate - (case - resonator) / device.thermal_lag
-        kelvin = lag * (lag + interval) / 2 / device.thermal_lag * bend
-        for channel, slope in compute_temperature_slopes(device).items() if lag else ():
-            shapes[channel] = np.column_stack([shapes[channel], slope * kelvin])
+        if device.thermometer_lag:
+            kelvin = shape_late_reading(self.test, device)
+            for channel, slope in compute_temperature_slopes(device).items():
+                shapes[channel] = np.column_stack([shapes[channel], slope * kelvin])
         if is_origin_set(self.test.test.log, self.device.site) or self._begins_elsewhere():
             origin = shape_origin(self.bryan_factor, self.by_angle.slopes["gyro_angle"])
             shapes["gyro_angle"] = MAX_ORIGIN * origin
@@ -221,10 +229,7 @@ def _whiten_base(part: LinearTest, channel: str, noise: CampaignNoise) -> _White
 def _build_base(part: LinearTest, channel: str) -> tuple[dict[CandidateTerm, int], Array]:
     """Number of columns of each candidate term, and (n, q) columns: of effects and candidate terms,
     and the residual."""
-    if part.candidates is None:
-        terms = dict(build_term_columns(part.where, channel))
-    else:
-        terms = select_term_columns(part.where, channel, part.candidates)
+    terms = dict(build_term_columns(part.where, channel, part.candidates))
     if channel != "gyro_angle":
         read = build_reading_columns(part.where, ())
         taken = {t: v for t, v in read if part.candidates is None or t in part.candidates}

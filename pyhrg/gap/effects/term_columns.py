@@ -41,10 +41,17 @@ PHASE_FUNCTION = "temperature^1"
 """The function of them that a phase error of the catalogue follows."""
 
 
-def build_term_columns(where: Coordinates, channel: str) -> Columns:
-    """All candidate terms that show in a channel in a test, (n, b) each, in the same order for
-    every test. A term that shows in several channels has the same identity in all of them."""
-    return [(term, respond(block)) for term, block, respond in generate_terms(where, channel)]
+def build_term_columns(
+    where: Coordinates, channel: str, among: Collection[object] | None = None
+) -> Columns:
+    """All candidate terms that show in a channel in a test, or those among some, (n, b) each, in
+    the same order for every test. A term that shows in several channels has the same identity in
+    all of them."""
+    return [
+        (term, respond(block))
+        for term, block, respond in generate_terms(where, channel)
+        if among is None or term in among
+    ]
 
 
 def generate_terms(where: Coordinates, channel: str) -> Iterator[PlacedTerm]:
@@ -71,8 +78,7 @@ def select_term_columns(
     where: Coordinates, channel: str, terms: Collection[object]
 ) -> dict[CandidateTerm, Array]:
     """(n, b) columns of those of these terms and jumps that show in a channel in a test."""
-    placed = generate_terms(where, channel)
-    columns = {term: respond(block) for term, block, respond in placed if term in terms}
+    columns = dict(build_term_columns(where, channel, terms))
     jumps = [t for t in terms if isinstance(t, Jump) and t.channel == channel]
     return columns | {jump: jump.columns(where) for jump in jumps}
 

@@ -38,10 +38,11 @@ def find_level(log: Log, nominal: Device) -> Array:
     off; interpolated where it is missing, the set point where it is missing throughout."""
     amplitude = np.where(log.drive_on > 0, log.amplitude_setpoint, log.amplitude)
     known = np.isfinite(amplitude)
-    if not known.any():
-        known, amplitude = np.ones(len(known), bool), log.amplitude_setpoint
-    level = np.interp(log.time, log.time[known], amplitude[known])
-    return np.fmax(level / nominal.amplitude, MIN_LEVEL)
+    if known.any():
+        amplitude = np.interp(log.time, log.time[known], amplitude[known])
+    else:
+        amplitude = log.amplitude_setpoint
+    return np.fmax(amplitude / nominal.amplitude, MIN_LEVEL)
 
 
 def estimate_growing_share(name: str, tests: Sequence[tuple[ObservedTest, Array]]) -> float:

@@ -31,8 +31,10 @@ MAX_TURNING_GAP = 2.0
 """Longest time between two known rows over which the table's rate may change, s. Chosen: one row of
 1 s is missing then. A pattern that turns another way by 3 deg for so long has an output that is off
 by 0.04 arcsec with a bias of 0.1 deg/h in the fourth harmonic."""
-CONTINUOUS_INPUTS = ("table_angle", "temperature", *ACCELERATIONS)
-"""Inputs that are interpolated: the table's angle by a cubic without overshoot, others linearly."""
+LINEAR_INPUTS = ("temperature", *ACCELERATIONS)
+"""Inputs that are interpolated linearly."""
+CONTINUOUS_INPUTS = ("table_angle", *LINEAR_INPUTS)
+"""All inputs that are interpolated: the table's angle by a cubic without overshoot."""
 
 
 class CompleteInputs(NamedTuple):
@@ -159,7 +161,7 @@ def _fill_inputs(log: Log, known: NDArray[np.int64]) -> Log:
     rows, angle = np.arange(len(log.time)), log.table_angle
     before = known[np.clip(np.searchsorted(known, rows, side="right") - 1, 0, None)]
     columns = {name: getattr(log, name)[before] for name in COMMAND_COLUMNS}
-    for name in CONTINUOUS_INPUTS:
+    for name in LINEAR_INPUTS:
         columns[name] = np.interp(rows, known, getattr(log, name)[known])
     seen = np.flatnonzero(np.isfinite(angle))
     turns = PchipInterpolator(np.append(-1, seen), np.append(0.0, angle[seen]))

@@ -15,12 +15,11 @@ PAGE = (Path(__file__).parents[3] / "docs" / "navigation.md").read_text()
 
 
 def assert_alike(found: str, expected: str) -> None:
-    """The same words, without the punctuation around them; numbers to 1 %, or to 0.01 of their
-    unit."""
-    words = zip(found.split(), expected.split(), strict=True)
-    for word, wanted in ((a.strip("(),;:"), b.strip("(),;:")) for a, b in words):
+    """The same words; numbers, between punctuation, to 1 % or to 0.01 of their unit."""
+    for word, wanted in zip(found.split(), expected.split(), strict=True):
         try:
-            assert float(word) == pytest.approx(float(wanted), rel=0.01, abs=0.01), found
+            number, right = (float(each.strip("(),;:")) for each in (word, wanted))
+            assert number == pytest.approx(right, rel=0.01, abs=0.01), found
         except ValueError:
             assert word == wanted, found
 

@@ -161,15 +161,14 @@ class _Iteration:
             return
         answers, parts = list[ChannelValues](), list[LinearTest]()
         for index, test in enumerate(self._tests):
-            answers.append(simulation.simulate(device, test))
-            columns: Mapping[Effect, Mapping[str, Array]]
-            if self._is_far:
-                effects = self._catalogue.parameters
-                columns = compute_sensitivities(simulation, device, test, effects)
-            else:
-                columns = self.parts[index].sensitivities
-            nominal, answer = self._nominal, answers[-1]
-            parts.append(linearize_test(simulation, nominal, device, test, answer, columns))
+            answer = simulation.simulate(device, test)
+            columns: Mapping[Effect, Mapping[str, Array]] = (
+                compute_sensitivities(simulation, device, test, self._catalogue.parameters)
+                if self._is_far
+                else self.parts[index].sensitivities
+            )
+            parts.append(linearize_test(simulation, self._nominal, device, test, answer, columns))
+            answers.append(answer)
         self.parts = parts
         self._differentiated_at = device if self._is_far else self._differentiated_at
         self.nominal_answers = self.nominal_answers or tuple(answers)
@@ -202,7 +201,8 @@ class _Iteration:
         best = hypothesis.ranking.best
         # the response of large terms is curved
         if self._linearization_error or list_large_terms(best, hypothesis):
-            self.posterior, self._compared_groups = Posterior((hypothesis,), (1.0,)), None
+            self.posterior = Posterior((hypothesis,), (1.0,))
+            self._compared_groups = None
         elif best.groups == self._compared_groups:
             others = self.posterior.hypotheses[1:]
             self.posterior = replace(self.posterior, hypotheses=(hypothesis, *others))

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.aided.receivers import split_novatel, split_vectornav
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.errors import HrgError, describe_briefly, quote
 from pyhrg.common.reading.documents import parse_csv
 from pyhrg.common.reading.files import decode, read_unpacked
@@ -77,11 +77,11 @@ class Fixes:
         return len(self.time)
 
     @property
-    def has_position(self) -> NDArray[np.bool_]:
+    def has_position(self) -> Mask:
         """(m,)"""
         return np.isfinite(self.position[:, 0])
 
-    def select(self, rows: NDArray[np.bool_] | NDArray[np.intp]) -> "Fixes":
+    def select(self, rows: Mask | NDArray[np.intp]) -> "Fixes":
         """The fixes of some rows."""
         chosen = {f.name: getattr(self, f.name)[rows] for f in fields(self) if f.name != "source"}
         return Fixes(**chosen, source=self.source)

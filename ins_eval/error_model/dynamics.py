@@ -7,13 +7,12 @@ tenth is the integral of the baro-damped height loop. Sensor errors are inputs (
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.common import earth
 from ins_eval.common.rotation import skew
 from ins_eval.error_model.motion import Motion, step_mean
 from ins_eval.navigation.height import BaroDamped, Clamped, Height
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 
 NAMES = (
     "position north",
@@ -62,7 +61,7 @@ def sensor_inputs(motion: Motion, height: Height) -> Array:
     return g
 
 
-def free_states(height: Height) -> NDArray[np.bool_]:
+def free_states(height: Height) -> Mask:
     """Return (10,) True for each state but the vertical velocity of a clamped height, which is
     always without error."""
     free = np.ones(COUNT, dtype=bool)

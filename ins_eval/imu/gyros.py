@@ -6,7 +6,6 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from fmu_build.bundle import build_fmu
 from ins_eval.common.sensor_errors import SensorErrors
@@ -16,7 +15,7 @@ from ins_eval.imu.stated_gyros import GyroReading
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position import full_circumference
 from pyhrg.bench.dynamic.start_up import START
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.errors import HrgError
 from pyhrg.device import device_file
 from pyhrg.device.keys import KEYS
@@ -179,8 +178,8 @@ class GyroOutput:
 
     rotation: Array
     pattern_angle: Array
-    valid: NDArray[np.bool_]
-    ready: NDArray[np.bool_]
+    valid: Mask
+    ready: Mask
 
 
 def simulate_gyro(bench: Bench, rotation: Array, force: Array, interval: float) -> GyroOutput:

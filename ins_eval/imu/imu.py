@@ -10,6 +10,7 @@ from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.mounting import ORTHOGONAL, Mounting
 from ins_eval.imu.sensor_error_model import IDEAL_SENSORS, SensorErrorModel
 from ins_eval.imu.stated_gyros import IDEAL_GYROS, StatedGyros
+from pyhrg.common.arrays import Mask
 from pyhrg.common.errors import HrgError, describe_briefly
 from pyhrg.common.units import STANDARD_GRAVITY
 from pyhrg.records.imu.log import Increments
@@ -28,7 +29,7 @@ class ImuReading:
 
     increments: Increments
     pattern_angle: NDArray[np.float64] | None
-    ready: NDArray[np.bool_] | None = None
+    ready: Mask | None = None
 
 
 @dataclass(frozen=True)

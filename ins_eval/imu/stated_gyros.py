@@ -3,12 +3,11 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.mounting import Mounting
 from ins_eval.imu.sensor_error_model import IDEAL_SENSORS, SensorErrorModel
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.records.imu.log import Increments
 
 
@@ -24,7 +23,7 @@ class GyroReading:
 
     rotation: Array
     pattern_angle: Array | None = None
-    ready: NDArray[np.bool_] | None = None
+    ready: Mask | None = None
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,6 @@ Alignment uses the record from the moment at which the last gyro is ready.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.common.rotation import euler_from_mat
 from ins_eval.mission_model.missions import STILL
@@ -19,7 +18,7 @@ from ins_eval.study.cosimulated import (
     sample_trajectory,
 )
 from ins_eval.trajectories.trajectory import Trajectory
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.log import Increments
 
@@ -54,7 +53,7 @@ class Mission:
         return align_and_navigate(self.truth, measured, ready + STILL)
 
 
-def find_ready_time(good: NDArray[np.bool_] | None) -> float:
+def find_ready_time(good: Mask | None) -> float:
     """Time from which on, until time 0, every interval of a record from power-on is good, s; None
     are good throughout."""
     if good is None:

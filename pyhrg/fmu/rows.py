@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.fmu.archive import Archive
 
 CONTROL_PERIOD = 1e-3
@@ -48,7 +48,7 @@ class Rows(NamedTuple):
 
     moving: Array
     held: Array
-    is_new: NDArray[np.bool_]
+    is_new: Mask
     ends: Array
     means: Array
 

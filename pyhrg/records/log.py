@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.errors import describe_briefly
 from pyhrg.common.files import write_whole
 from pyhrg.common.units import DEG
@@ -66,6 +66,16 @@ class Log:
     """What reading left out, a sentence each; rows are numbered as in the file, from the header."""
 
     __repr__ = describe_briefly
+
+    @property
+    def is_driven(self) -> Mask:
+        """(n,) whether the drive is on; False where that is not known."""
+        return np.asarray(self.drive_on > 0.5)
+
+    @property
+    def is_free(self) -> Mask:
+        """(n,) whether the drive is off; False where that is not known."""
+        return np.asarray(self.drive_on <= 0.5)
 
     def require(self, *fields: str) -> None:
         """Check that each of these fields has a value in some row.

@@ -30,7 +30,7 @@ def find_turning_times(log: Log) -> Array:
 def turns(log: Log) -> bool:
     """Whether the table turned: the gyro's output does so with the drive on. With the drive off the
     pattern turns by itself."""
-    driven = np.where(log.drive_on < 0.5, np.nan, log.gyro_angle)
+    driven = np.where(log.is_free, np.nan, log.gyro_angle)
     return len(find_turning_times(replace(log, gyro_angle=driven))) > 0
 
 

@@ -3,9 +3,8 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG, HOUR
 from pyhrg.records.columns import BY_FIELD, LogError
@@ -59,7 +58,7 @@ def check_earth_rate(table: Table, interval: float, latitude: float) -> None:
     by_table = np.diff(columns["table_angle"])
     beyond = np.diff(columns["gyro_angle"]) - by_table
     is_free = (
-        (columns["drive_on"][1:] == 1)
+        (columns["drive_on"][1:] > 0.5)
         & (np.abs(earth) > MIN_EARTH_RATE)
         & np.isfinite(beyond)
         & find_even_steps(columns["time"], interval)
@@ -135,7 +134,7 @@ def _check_gravity(table: Table) -> None:
 
 
 def _select_finite(x: Array, y: Array) -> tuple[Array, Array]:
-    known: NDArray[np.bool_] = np.isfinite(x) & np.isfinite(y)
+    known: Mask = np.isfinite(x) & np.isfinite(y)
     return x[known], y[known]
 
 

@@ -4,7 +4,7 @@ out."""
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.units import DEG
 from pyhrg.records.columns import COLUMNS
 from pyhrg.records.table import Table
@@ -58,22 +58,20 @@ def _number_pairs(state: NDArray[np.int64], values: Array) -> NDArray[np.int64]:
     return np.unique(state * (codes.max() + 1) + codes, return_inverse=True)[1]
 
 
-def find_runs(same: NDArray[np.bool_]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def find_runs(same: Mask) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """First and last row of each run, from (n - 1,) whether a row equals the row before."""
     edges = np.diff(np.concatenate([[0], same.astype(np.int8), [0]]))
     return np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
 
 
-def _mark_runs(
-    n: int, first: NDArray[np.int64], last: NDArray[np.int64], chosen: NDArray[np.bool_]
-) -> NDArray[np.bool_]:
+def _mark_runs(n: int, first: NDArray[np.int64], last: NDArray[np.int64], chosen: Mask) -> Mask:
     edges = np.zeros(n + 1, dtype=np.int64)
     np.add.at(edges, first[chosen], 1)
     np.add.at(edges, last[chosen] + 1, -1)
     return np.cumsum(edges)[:-1] > 0
 
 
-def _find_improbable_runs(values: Array, state: NDArray[np.int64]) -> NDArray[np.bool_]:
+def _find_improbable_runs(values: Array, state: NDArray[np.int64]) -> Mask:
     """(n,) rows of runs that are improbable by how often other values of the same state repeat."""
     inside = state[1:] == state[:-1]
     same = (np.diff(values) == 0) & inside
@@ -94,7 +92,7 @@ def _find_improbable_runs(values: Array, state: NDArray[np.int64]) -> NDArray[np
     return _mark_runs(len(values), first, last, is_stuck)
 
 
-def _is_jump(values: Array, first: NDArray[np.int64], last: NDArray[np.int64]) -> NDArray[np.bool_]:
+def _is_jump(values: Array, first: NDArray[np.int64], last: NDArray[np.int64]) -> Mask:
     """(m,) whether a run is entered or left by more than two quantization steps of the channel."""
     size = np.nan_to_num(np.abs(np.diff(values)))
     quantization_step = np.min(np.diff(np.unique(values[np.isfinite(values)])), initial=np.inf)

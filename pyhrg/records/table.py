@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.errors import quote
 from pyhrg.common.reading.documents import iterate_lines, parse_csv
 from pyhrg.common.reading.files import decode, read_unpacked
@@ -42,18 +42,18 @@ class Table:
         """Make the error about a field at an index of the table."""
         return LogError(f"{self.source}: row {self.rows[row]}, {BY_FIELD[field].name}: {trouble}")
 
-    def add_note(self, chosen: NDArray[np.bool_], trouble: str) -> "Table":
+    def add_note(self, chosen: Mask, trouble: str) -> "Table":
         """The table with a sentence on the chosen rows; the table itself where none is chosen."""
         if not chosen.any():
             return self
         note = f"{describe_rows(self.rows[chosen])}: {trouble}"
         return replace(self, notes=(*self.notes, note))
 
-    def keep_rows(self, chosen: NDArray[np.bool_]) -> "Table":
+    def keep_rows(self, chosen: Mask) -> "Table":
         columns = {field: values[chosen] for field, values in self.columns.items()}
         return replace(self, rows=self.rows[chosen], columns=columns)
 
-    def clear_values(self, field: str, chosen: NDArray[np.bool_]) -> "Table":
+    def clear_values(self, field: str, chosen: Mask) -> "Table":
         """The table without a column's values in the chosen rows."""
         values = np.where(chosen, np.nan, self.columns[field])
         return replace(self, columns=self.columns | {field: values})

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.records.columns import BY_FIELD, LogError
 from pyhrg.records.table import Table
 
@@ -45,7 +45,7 @@ def drop_wrong_rows(table: Table) -> Table:
     return table
 
 
-def _drop_few(table: Table, wrong: NDArray[np.bool_], trouble: str) -> Table:
+def _drop_few(table: Table, wrong: Mask, trouble: str) -> Table:
     """The table without wrong rows, with a note on them; many are refused."""
     if np.sum(wrong) > MAX_WRONG_SHARE * len(wrong):
         _refuse_disorder(table)
@@ -77,7 +77,7 @@ def _refuse_disorder(table: Table) -> None:
     )
 
 
-def _find_disordered_rows(table: Table) -> NDArray[np.bool_]:
+def _find_disordered_rows(table: Table) -> Mask:
     """Rows that come after a later one, and the later ones: which of them is wrong is not known."""
     time = table.columns["time"]
     if not len(time):
@@ -86,7 +86,7 @@ def _find_disordered_rows(table: Table) -> NDArray[np.bool_]:
     return np.asarray((time < np.maximum.accumulate(time)) | (time > later))
 
 
-def _find_contradicting_rows(table: Table) -> NDArray[np.bool_]:
+def _find_contradicting_rows(table: Table) -> Mask:
     """Rows whose time another row has too, with other values."""
     wrong = np.zeros(len(table.rows), dtype=bool)
     for rows in _pair_rows_of_one_time(table):
@@ -94,7 +94,7 @@ def _find_contradicting_rows(table: Table) -> NDArray[np.bool_]:
     return wrong
 
 
-def _find_repeated_rows(table: Table) -> NDArray[np.bool_]:
+def _find_repeated_rows(table: Table) -> Mask:
     first, second = _pair_rows_of_one_time(table)
     values = _stack_values(table)
     is_repeated = np.zeros(len(values), dtype=bool)
@@ -114,7 +114,7 @@ def _stack_values(table: Table) -> Array:
     return np.stack(list(table.columns.values()), axis=-1)
 
 
-def _are_equal(first: Array, second: Array) -> NDArray[np.bool_]:
+def _are_equal(first: Array, second: Array) -> Mask:
     return np.isclose(first, second, rtol=0, atol=0, equal_nan=True)
 
 
@@ -144,7 +144,7 @@ def find_interval(table: Table, stated: float | None) -> float:
     return interval
 
 
-def find_even_steps(time: Array, interval: float) -> NDArray[np.bool_]:
+def find_even_steps(time: Array, interval: float) -> Mask:
     """(n - 1,) whether the step to the next row is one interval long."""
     steps = np.diff(time) / interval
     return (steps >= EVEN_STEP_RANGE[0]) & (steps <= EVEN_STEP_RANGE[1])

@@ -1,5 +1,5 @@
-"""Every model of `HRG.Validation` keeps its claim, in HRG and in HRGSlow: at all angles, with a
-signature that is seen, and with nothing to be seen where the mechanism is absent."""
+"""Every model of `HRG.Validation` keeps its claim at all angles, with a signature that is seen, and
+with nothing to be seen where the mechanism is absent."""
 
 import re
 from collections.abc import Callable, Iterator

@@ -120,7 +120,7 @@ def is_turning(log: Log) -> bool:
     constant."""
     log.require(*COLUMNS)
     rate = np.max(np.abs(np.diff(log.table_angle))) / log.interval
-    still = np.all(log.virtual_rotation == 0.0) and np.all(log.drive_on > 0.5)
+    still = np.all(log.virtual_rotation == 0.0) and log.is_driven.all()
     return bool(still and 0.0 < rate < FASTEST and np.ptp(log.wave_angle) >= SWEPT)
 
 

@@ -10,14 +10,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS
 from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, require_tests
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.site import Site
 from pyhrg.common.units import DEG_PER_H
@@ -97,14 +96,14 @@ def measure_start_up(log: Log, site: Site) -> StartUp:
     )
 
 
-def _is_valid(log: Log) -> NDArray[np.bool_]:
+def _is_valid(log: Log) -> Mask:
     if not np.isnan(log.valid).any():
         return np.asarray(log.valid > 1 - 1e-9)
     off = np.abs(log.amplitude - log.amplitude_setpoint)
     return np.asarray(off <= AMPLITUDE_TOLERANCE * log.amplitude_setpoint)
 
 
-def _find_last_start(time: Array, good: NDArray[np.bool_], latest: float) -> float:
+def _find_last_start(time: Array, good: Mask, latest: float) -> float:
     """Time, s, from which on `good` is true to the end; NaN if later than `latest`."""
     bad = np.flatnonzero(~good)
     first = bad[-1] + 1 if len(bad) else 0

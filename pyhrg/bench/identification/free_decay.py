@@ -70,7 +70,7 @@ def find_decays(log: Log, site: Site, k: float) -> list[Decay]:
     The gyro's output shows how the pattern turns, with more digits than its angle is logged with.
     """
     log.require("gyro_angle", "wave_angle", "amplitude", "drive_on", "table_angle", "axis_up")
-    free = log.drive_on < 0.5
+    free = log.is_free
     switched = np.diff(free, prepend=free[:1])
     return [
         _decay(log, first - 1, last, site, k)

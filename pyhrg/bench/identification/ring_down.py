@@ -128,7 +128,7 @@ def _split_guess(campaign: Campaign) -> complex:
         log = test.log
         log.require("quadrature_force", "amplitude_setpoint")
         wait = int(np.ceil(TRANSIENT / log.interval))
-        off = np.convolve(log.drive_on <= 0.5, np.ones(wait + 1))[: len(log.time)] > 0.5
+        off = np.convolve(log.is_free, np.ones(wait + 1))[: len(log.time)] > 0.5
         on = ~off & np.isfinite(log.quadrature_force + log.wave_angle)
         angle = 4 * log.wave_angle[on]
         columns.append(np.column_stack([np.sin(angle), -np.cos(angle)]) / 2)

@@ -74,7 +74,7 @@ def _find_steady(log: Log, settle: float = SETTLE, warm_up: float = WARM_UP) -> 
     held = [log.virtual_rotation, log.drive_on, log.amplitude_setpoint, log.phase_offset]
     changed = np.any(np.diff(np.nan_to_num(held), axis=1, prepend=0.0) != 0, axis=0)
     turned = np.abs(np.diff(log.table_angle, prepend=log.table_angle[:1])) >= AT_REST
-    broken = changed | turned | (log.drive_on < 0.5)
+    broken = changed | turned | log.is_free
     warm = int(np.searchsorted(log.time, warm_up))
     settled = round(settle / log.interval)
     for part in log.stretches("gyro_angle", "wave_angle", "virtual_rotation", "table_angle"):

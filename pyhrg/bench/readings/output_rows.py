@@ -83,7 +83,7 @@ def find_steady_rows(log: Log, *names: str, at_rest: bool = False) -> list[Rows]
         Rows(log, begin + max(wait, 1), end)
         for stretch in log.stretches(*ANGLES, *names)
         for begin, end in split_rows(stretch, changed[stretch])
-        if end - begin - wait >= SHORTEST_ROWS and log.drive_on[begin] > 0.5
+        if end - begin - wait >= SHORTEST_ROWS and log.is_driven[begin]
     ]
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
@@ -58,7 +58,7 @@ class Points:
     def __len__(self) -> int:
         return len(self.rate)
 
-    def part(self, chosen: NDArray[np.bool_] | NDArray[np.int64]) -> "Points":
+    def part(self, chosen: Mask | NDArray[np.int64]) -> "Points":
         """The points that a mask (n,) or their numbers choose."""
         return Points(*(getattr(self, f.name)[chosen] for f in fields(self)))
 
@@ -73,7 +73,7 @@ def join_points(parts: Sequence[Points]) -> Points:
     return Points(*(np.concatenate([getattr(p, f.name) for p in parts]) for f in fields(Points)))
 
 
-def split_rows(part: slice, broken: NDArray[np.bool_]) -> Iterator[tuple[int, int]]:
+def split_rows(part: slice, broken: Mask) -> Iterator[tuple[int, int]]:
     """Parts of rows, first and one after the last, each of which begins where the mask (n,) of the
     n rows is true, the first at their beginning."""
     inside = part.start + np.flatnonzero(broken)
@@ -85,7 +85,7 @@ def find_rests(log: Log, settle: float) -> list[slice]:
     rotation, from `settle` seconds after its beginning. The first row gives the reading at which it
     begins."""
     turned = np.abs(np.diff(log.table_angle, prepend=log.table_angle[:1]))
-    quiet = (turned < AT_REST) & (log.virtual_rotation == 0.0) & (log.drive_on > 0.5)
+    quiet = (turned < AT_REST) & (log.virtual_rotation == 0.0) & log.is_driven
     skipped = math.ceil(settle / log.interval - 1e-9)
     return [
         slice(before + skipped, after)

@@ -9,11 +9,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.segments import COLUMNS, split_rows
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.site import Site
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.records import Log
@@ -112,7 +111,7 @@ def _find_steady(log: Log) -> list[slice]:
     """Rows of each stretch without gap, with drive on, no virtual rotation and a steady rate."""
     turned = np.diff(log.table_angle, prepend=log.table_angle[:1])
     moving = (np.abs(turned) > TURN_TOLERANCE) & (log.virtual_rotation == 0.0)
-    moving &= (log.drive_on > 0.5) & ~(log.valid < 0.999)
+    moving &= log.is_driven & ~(log.valid < 0.999)
     unsteady = find_rate_changes(turned)
     settle = math.ceil(SETTLE / log.interval)
     return [
@@ -123,7 +122,7 @@ def _find_steady(log: Log) -> list[slice]:
     ]
 
 
-def find_rate_changes(turned: Array) -> NDArray[np.bool_]:
+def find_rate_changes(turned: Array) -> Mask:
     """(n,) whether the table's turn in a row, rad, differs from that in the row before, first 0."""
     change = np.abs(np.diff(turned, prepend=0.0))
     return np.asarray(change > TURN_TOLERANCE + RATE_TOLERANCE * np.abs(turned))

@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.sizes import estimate_largest
@@ -22,7 +21,7 @@ from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.turns import PERIOD, SETTLE, Turn, find_turns
 from pyhrg.bench.scale_factor import scale_factor
 from pyhrg.bench.scale_factor.scale_factor import INTERVAL, RUNS, WARM_UP
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
@@ -38,7 +37,7 @@ class Line:
     input: Array
     output: Array
 
-    def fit(self, rows: NDArray[np.bool_] | None = None) -> tuple[float, float]:
+    def fit(self, rows: Mask | None = None) -> tuple[float, float]:
         """K and F0, rad/s, by least squares on some of the rates, or all."""
         # the error is fitted, not the output, so that rounding is relative to the error
         chosen = np.ones(len(self.input), dtype=bool) if rows is None else rows

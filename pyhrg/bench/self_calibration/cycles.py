@@ -12,7 +12,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import stats
 
 from pyhrg.bench.estimation.angle_fit import Record, compute_largest_inflation
@@ -20,6 +19,7 @@ from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, average_wave, na
 from pyhrg.bench.outcome import BenchError, Finding
 from pyhrg.bench.readings.segments import split_rows
 from pyhrg.bench.readings.turns import SETTLE, TURN_TOLERANCE, Turn, find_rate_changes
+from pyhrg.common.arrays import Mask
 from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
@@ -86,13 +86,13 @@ def find_sweeps(log: Log, site: Site) -> list[Sweep]:
     ]
 
 
-def _find_changes(log: Log, rows: slice) -> NDArray[np.bool_]:
+def _find_changes(log: Log, rows: slice) -> Mask:
     """Mask of rows at which table rate or a command changes or the output is not valid."""
     turned = np.diff(log.table_angle[rows], prepend=log.table_angle[rows][:1])
     changed = find_rate_changes(turned)
     for values in (log.virtual_rotation, log.axis_up, log.drive_on):
         changed |= np.diff(values[rows], prepend=values[rows][:1]) != 0
-    return np.asarray(changed | (log.drive_on[rows] < 0.5) | (log.valid[rows] < 0.999))
+    return np.asarray(changed | log.is_free[rows] | (log.valid[rows] < 0.999))
 
 
 def _read_sweep(log: Log, site: Site, rows: slice) -> Sweep:

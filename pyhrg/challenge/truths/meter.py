@@ -16,7 +16,7 @@ from pyhrg.challenge.campaigns.laboratory import Laboratory
 from pyhrg.challenge.truths.channel_noise import build_noises, state_angle_noise
 from pyhrg.challenge.truths.noise_strength import measure_noise, set_noise
 from pyhrg.challenge.truths.unsteadiness import measure_unsteadiness
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD
 from pyhrg.gap.effects.catalogue import DETERMINISTIC, EFFECTS, NOISE_EFFECTS, Effect, NoiseEffect
@@ -27,7 +27,6 @@ from pyhrg.gap.replay.inputs.inputs import ReplayInputs, prepare_inputs
 from pyhrg.gap.replay.observations import (
     CHANNELS,
     COARSE_STEP,
-    Mask,
     observe_test,
 )
 from pyhrg.gap.replay.replay import replay_inputs

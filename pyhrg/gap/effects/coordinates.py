@@ -162,7 +162,7 @@ def compute_coordinates(
     thermal lag, reference temperature and amplitude. Without `free_turns` a free pattern turns as a
     driven one does."""
     log = test.log
-    is_driven = log.drive_on > 0
+    is_driven = log.is_driven
     energetic = np.hypot(replay["amplitude"], replay.get("quadrature", 0.0))
     return Coordinates(
         nominal,

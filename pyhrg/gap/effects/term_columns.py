@@ -191,7 +191,7 @@ def _generate_misread_amplitudes(where: Coordinates, channel: str) -> Iterator[P
     log, gain = where.test.log, where.nominal.bryan_factor
     growth, force = where.growth_rate[:, None], where.quadrature_force[:, None]
     commanded, level = log.virtual_rotation[:, None], where.level[:, None]
-    last_driven = np.maximum.accumulate(np.where(log.drive_on > 0, np.arange(len(level)), 0))
+    last_driven = np.maximum.accumulate(np.where(log.is_driven, np.arange(len(level)), 0))
 
     def drive(block: Array) -> Array:
         error = _misread(where, block)
@@ -276,7 +276,7 @@ def _generate_drive_gains(where: Coordinates, channel: str) -> Iterator[PlacedTe
 def _generate_free_decay(where: Coordinates) -> Iterator[PlacedTerm]:
     """What damping that follows the amplitude makes of the amplitude while the drive is off."""
     log = where.test.log
-    free = (log.drive_on <= 0)[:, None] * log.interval
+    free = log.is_free[:, None] * log.interval
 
     def decay(block: Array) -> Array:
         return np.asarray(-where.level[:, None] * np.cumsum(free * _average(block), 0))

@@ -6,7 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
@@ -15,7 +15,7 @@ from pyhrg.gap.effects.form import Form, build_form_columns, build_reading_colum
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.linear_test import Group, LinearTest
 from pyhrg.gap.effects.term_columns import select_term_columns
-from pyhrg.gap.replay.observations import CHANNELS, Mask
+from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.whitening.campaign_noise import CampaignNoise
 from pyhrg.gap.whitening.whitening import NoiseModel, whiten
 from pyhrg.records import Log
@@ -132,4 +132,4 @@ def is_nominal(log: Log, nominal: Device) -> Mask:
     """(n,) rows in which the drive holds the nominal amplitude."""
     difference = np.abs(log.amplitude_setpoint - nominal.amplitude)
     is_near = difference < AMPLITUDE_TOLERANCE * nominal.amplitude
-    return np.asarray(is_near & (log.drive_on > 0))
+    return np.asarray(is_near & log.is_driven)

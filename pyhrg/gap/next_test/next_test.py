@@ -12,12 +12,11 @@ from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.special import logsumexp
 
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.programme import Programme
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.units import HOUR
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
@@ -210,7 +209,7 @@ class _Side:
     """
 
     sizes: Array
-    free: NDArray[np.bool_]
+    free: Mask
     noise: NoiseModel
     old: Array
     new: Array
@@ -247,9 +246,7 @@ def _scale_sizes(known: Sizes, groups: Sequence[Group], unit: Design) -> Array:
     return np.concatenate([np.empty(0), *sizes]) * unit.norms[unit.list_columns(groups)]
 
 
-def _compute_unimitated_power(
-    information: Array, difference: Array, free: NDArray[np.bool_]
-) -> float:
+def _compute_unimitated_power(information: Array, difference: Array, free: Mask) -> float:
     """Power of a difference of sizes that no change of the free sizes makes up for (Eq. (1))."""
     projection = information @ difference
     inverse = np.linalg.pinv(information[np.ix_(free, free)], hermitian=True)

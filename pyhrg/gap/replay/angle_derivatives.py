@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pyhrg.common.arrays import Array
-from pyhrg.gap.replay.observations import CHANNELS, Mask, see_angles
+from pyhrg.common.arrays import Array, Mask
+from pyhrg.gap.replay.observations import CHANNELS, see_angles
 from pyhrg.records import Log
 
 ANGLE_SHIFT = 1e-3

@@ -4,9 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from pyhrg.common.arrays import Mask
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.angle_derivatives import AngleDerivatives
-from pyhrg.gap.replay.observations import Mask, ObservedTest
+from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records import Log
 
@@ -21,7 +22,7 @@ def find_known_rows(by_angle: AngleDerivatives, nominal: Device, log: Log) -> Ma
     """(n,) rows up to the one in which a small turn of the free pattern has grown or shrunk too
     far."""
     growth = np.abs(nominal.bryan_factor * by_angle.slopes["gyro_angle"])
-    has_grown = (log.drive_on <= 0) & (growth > NOISE_GROWTH_LIMIT)
+    has_grown = log.is_free & (growth > NOISE_GROWTH_LIMIT)
     return np.asarray(~np.logical_or.accumulate(has_grown))
 
 
@@ -33,7 +34,7 @@ def truncate_free_pattern(
     With a frequency split, a ring-down of minutes multiplies such a turn. It can end in circular
     motion, whose pattern angle is undefined (docs/methods/replay.md, Eq. 7).
     """
-    if test.log.drive_on.all():
+    if not test.log.is_free.any():
         return test
     kept = find_known_rows(simulation.differentiate_by_angle(nominal, test), nominal, test.log)
     count = max(int(kept.sum()), MIN_ROWS)

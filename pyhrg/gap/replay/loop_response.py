@@ -21,7 +21,7 @@ def apply_loop_response(
 
     aim: (n,) amplitude that the loop holds; 0 in a difference of two gyros.
     """
-    interval, is_driven = log.interval, log.drive_on > 0
+    interval, is_driven = log.interval, log.is_driven
     departures = {
         "amplitude_force": values["amplitude"] / device.amplitude,
         "quadrature_force": values["quadrature"],

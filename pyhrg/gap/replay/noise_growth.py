@@ -36,7 +36,7 @@ def add_noise_growth(tests: Sequence[ObservedTest], nominal: Device) -> tuple[Ob
 def find_level(log: Log, nominal: Device) -> Array:
     """(n,) amplitude over the nominal one: the set point, and the measured one while the drive is
     off; interpolated where it is missing, the set point where it is missing throughout."""
-    amplitude = np.where(log.drive_on > 0, log.amplitude_setpoint, log.amplitude)
+    amplitude = np.where(log.is_driven, log.amplitude_setpoint, log.amplitude)
     known = np.isfinite(amplitude)
     if known.any():
         amplitude = np.interp(log.time, log.time[known], amplitude[known])
@@ -79,6 +79,6 @@ def _compute_growth(log: Log, level: Array, shares: Mapping[str, float]) -> dict
     growth = {
         name: np.sqrt(1 - share + share / level**2) for name, share in shares.items() if share
     }
-    if (log.drive_on <= 0).any():
-        growth["amplitude"] = np.maximum.accumulate(log.drive_on <= 0) * 1.0
+    if log.is_free.any():
+        growth["amplitude"] = np.maximum.accumulate(log.is_free) * 1.0
     return growth

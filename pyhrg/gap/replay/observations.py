@@ -4,9 +4,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.inputs.inputs import ReplayInputs, prepare_inputs
 from pyhrg.gap.replay.inputs.table_steps import ERROR_PER_STEP, find_turning_rows
@@ -15,8 +14,6 @@ from pyhrg.gap.replay.reading_noise import ReadingNoise
 from pyhrg.gap.replay.replay import HELD_COLUMNS
 from pyhrg.records import Log
 from pyhrg.records.campaign import Test
-
-Mask = NDArray[np.bool_]
 
 CHANNEL_WORDS = {
     "gyro_angle": "output angle",
@@ -123,7 +120,7 @@ def observe_test(test: Test, nominal: Device, encoder_noise: float = 0.0) -> Obs
         compared = np.isfinite(getattr(log, name)) & np.isfinite(log.gyro_angle)
         compared &= held if name == "gyro_angle" else settled
         if name in FORCES:
-            compared &= log.drive_on > 0
+            compared &= log.is_driven
         if name == "amplitude":
             compared &= ~pushed_next
         rows[name] = compared
@@ -162,9 +159,7 @@ def _find_transient_rows(log: Log, inputs: ReplayInputs, settling_time: float) -
     """(n,) rows whose angle needs sampled loops; all rows where quasi-steady loops don't hold even
     between changes."""
     is_special = (
-        (log.virtual_rotation != 0)
-        | (log.drive_on <= 0)
-        | (np.abs(log.phase_offset) > PHASE_OFFSET_LIMIT)
+        (log.virtual_rotation != 0) | log.is_free | (np.abs(log.phase_offset) > PHASE_OFFSET_LIMIT)
     )
     if log.interval < FINE_ROW or is_special.any():
         return np.ones(len(log.time), dtype=bool)

@@ -10,10 +10,9 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import nnls
 
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.common.units import ARCSEC
 from pyhrg.gap.replay.inputs.table_steps import ERROR_PER_STEP, find_table_step
@@ -158,7 +157,7 @@ def _measure_variances(log: Log) -> Iterator[Variances]:
             yield Variances(of_encoder, of_gyro, both, shared if is_white else None)
 
 
-def _is_steady(log: Log) -> NDArray[np.bool_]:
+def _is_steady(log: Log) -> Mask:
     """(n - 4,) whether the table rests, or turns in each row of a difference: where it starts or
     stops, a difference is the motion's own."""
     steps = np.abs(np.diff(log.table_angle))
@@ -194,7 +193,7 @@ def _average(products: Array) -> tuple[float, float]:
     return float(np.mean(products)) / VARIANCE_GAIN, error / VARIANCE_GAIN
 
 
-def is_inlier(series: Array) -> NDArray[np.bool_]:
+def is_inlier(series: Array) -> Mask:
     """(n,) whether differences are noise, and not a jump of what is read."""
     return np.asarray(np.abs(series) <= OUTLIER_SIGMA * estimate_robust_deviation(series))
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from fmu_build.bundle import build_fmu
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.gap.replay.angle_derivatives import (
@@ -24,7 +24,6 @@ from pyhrg.gap.replay.observations import (
     CHANNELS,
     COARSE_STEP,
     FINE_ROW,
-    Mask,
     ObservedTest,
     compute_settling_time,
 )
@@ -182,7 +181,7 @@ class Simulation:
         below, above, *changes = (_subtract(*pair, device, device, test) for pair in pairs)
         log = test.log
         turns = ANGLE_SHIFT * (np.arange(len(log.time)) + 1) / len(log.time)
-        free = FreePattern(log.drive_on <= 0, turns, changes[0]) if changes else None
+        free = FreePattern(log.is_free, turns, changes[0]) if changes else None
         return compute_derivatives(device.bryan_factor, below, above, free)
 
     def _run_cached(self, device: Device, inputs: ReplayInputs) -> Sequence[ChannelValues]:
@@ -192,7 +191,7 @@ class Simulation:
         device = take_out_scales(device)
         angles = (inputs.start_angle + shift for shift in (-ANGLE_SHIFT, 0.0, ANGLE_SHIFT))
         shifted = [replace(inputs, start_angle=angle) for angle in angles]
-        if not inputs.log.drive_on.all():
+        if inputs.log.is_free.any():
             rate = ANGLE_SHIFT / (len(inputs.log.time) * inputs.log.interval)
             table = replace(inputs.table, rates=inputs.table.rates + rate)
             shifted.append(replace(inputs, table=table))
@@ -226,7 +225,7 @@ class Simulation:
         if is_short(len(log.time), log.interval):
             step = choose_sampled_step(log.interval, STEPS_PER_FINE_ROW)
             return replay_together(self.sampled, runs, step)
-        if not log.drive_on.all():  # a free pattern turns fast
+        if log.is_free.any():  # a free pattern turns fast
             step = QUASI_STEADY_STEP
         else:
             step = log.interval / STEPS_PER_FINE_ROW if log.interval < FINE_ROW else COARSE_STEP

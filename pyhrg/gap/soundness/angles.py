@@ -180,4 +180,4 @@ def _contradicts_table(log: Log, gyro: Array, table: Array) -> bool:
 def _compute_path(log: Log, angle: Array) -> Array:
     """(n - 1,) change of an angle since the first row, over rows with the drive on."""
     steps = np.diff(angle)
-    return np.cumsum(np.where(np.isfinite(steps) & (log.drive_on[1:] == 1), steps, 0.0))
+    return np.cumsum(np.where(np.isfinite(steps) & log.is_driven[1:], steps, 0.0))

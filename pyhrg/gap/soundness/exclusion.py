@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Mask
 from pyhrg.records import Log
 from pyhrg.records.columns import BY_FIELD
 
@@ -20,7 +20,7 @@ class Exclusion:
 
     fields: tuple[str, ...]
     sentence: str
-    rows: NDArray[np.bool_] | None = None
+    rows: Mask | None = None
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,7 @@ def apply_exclusions(log: Log, exclusions: Sequence[Exclusion]) -> Log:
     return log
 
 
-def find_runs(chosen: NDArray[np.bool_]) -> list[tuple[int, int]]:
+def find_runs(chosen: Mask) -> list[tuple[int, int]]:
     """First row of each run of chosen rows, and the row after its last."""
     edges = np.flatnonzero(np.diff(np.concatenate([[0], chosen.astype(np.int8), [0]]))).tolist()
     return list(zip(edges[::2], edges[1::2], strict=True))

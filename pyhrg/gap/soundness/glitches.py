@@ -5,14 +5,13 @@ from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation
 
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.inputs.inputs import prepare_inputs
 from pyhrg.gap.replay.loop_response import FORCES
 from pyhrg.gap.replay.observations import (
     CHANNELS,
-    Mask,
     compute_settling_time,
     find_command_changes,
     find_table_acceleration,
@@ -82,7 +81,7 @@ def check_glitches(log: Log, nominal: Device) -> list[Exclusion]:
     inputs = prepare_inputs(log, nominal)
     changed = find_command_changes(log) | find_table_acceleration(inputs)
     steady = find_undisturbed_rows(log, changed, compute_settling_time(nominal))
-    driven = log.drive_on > 0
+    driven = log.is_driven
     exclusions = []
     for field in CHANNELS:
         series = getattr(log, field)

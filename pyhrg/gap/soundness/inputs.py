@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import PchipInterpolator
 
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.observations import COMMAND_COLUMNS
 from pyhrg.gap.replay.reading_noise import estimate_scatter
@@ -44,7 +44,7 @@ class CompleteInputs(NamedTuple):
     """
 
     log: Log
-    missing: NDArray[np.bool_]
+    missing: Mask
     sentences: list[str]
 
 
@@ -78,7 +78,7 @@ def complete_inputs(log: Log, nominal: Device) -> CompleteInputs:
     return CompleteInputs(log, missing, notes)
 
 
-def _place_on_grid(log: Log) -> tuple[Log, NDArray[np.bool_]]:
+def _place_on_grid(log: Log) -> tuple[Log, Mask]:
     """Rows at every interval from the start, NaN where one is missing; (n,) whether inputs are
     missing."""
     place = np.round(log.time / log.interval).astype(np.int64) - 1
@@ -99,7 +99,7 @@ def _place_on_grid(log: Log) -> tuple[Log, NDArray[np.bool_]]:
     return replace(log, time=time), ~np.isfinite(inputs).all(axis=0)
 
 
-def _find_cut(log: Log, missing: NDArray[np.bool_]) -> tuple[int, str]:
+def _find_cut(log: Log, missing: Mask) -> tuple[int, str]:
     """Number of rows up to which inputs are known or can be filled in, and why not beyond."""
     for first, end in find_runs(missing):
         if end == len(missing):
@@ -116,7 +116,7 @@ def _find_cut(log: Log, missing: NDArray[np.bool_]) -> tuple[int, str]:
     return len(missing), ""
 
 
-def _find_steady_end(angle: Array, missing: NDArray[np.bool_], end: int) -> int:
+def _find_steady_end(angle: Array, missing: Mask, end: int) -> int:
     """End of the rows up to `end` in and after which the table kept its rate, the last of them
     known: with no row after it, a change of the rate within a row is not known."""
     turns = np.diff(angle[:end], prepend=0.0)

@@ -2,11 +2,11 @@
 
 import numpy as np
 
+from pyhrg.common.arrays import Mask
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.observations import (
     ANGLE_RATE_LIMIT,
-    Mask,
     compute_settling_time,
     find_command_changes,
     find_undisturbed_rows,
@@ -44,7 +44,7 @@ def find_interruptions(log: Log, nominal: Device) -> Mask:
         dip = 1 - log.amplitude / log.amplitude_setpoint
     settled = find_undisturbed_rows(log, find_command_changes(log), compute_settling_time(nominal))
     pattern_rate = np.abs(np.gradient(log.wave_angle, log.interval))
-    settled &= np.isfinite(dip) & (log.drive_on > 0) & (pattern_rate < ANGLE_RATE_LIMIT)
+    settled &= np.isfinite(dip) & log.is_driven & (pattern_rate < ANGLE_RATE_LIMIT)
     if not settled.any():
         return lost
     dip = dip - np.median(dip[settled])

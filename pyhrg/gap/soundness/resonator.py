@@ -38,7 +38,7 @@ def mend_nominal_amplitude(campaign: Campaign, stated: float) -> tuple[Campaign,
 
 def check_amplitude(log: Log) -> list[Exclusion]:
     """Exclude an amplitude that is not at its set point."""
-    driven = (log.drive_on == 1) & (log.amplitude_setpoint > 0)
+    driven = log.is_driven & (log.amplitude_setpoint > 0)
     if not log.has_values("amplitude") or not np.isfinite(log.amplitude[driven]).any():
         return []
     share = float(np.nanmedian(log.amplitude[driven] / log.amplitude_setpoint[driven]))
@@ -78,7 +78,7 @@ def _allowed_decay_times(nominal: Device) -> tuple[float, float]:
 def _compute_decay_time(force: Array, log: Log, nominal: Device) -> float:
     """Decay time at the reference temperature, s; NaN where no row allows an estimate."""
     change = log.temperature - nominal.reference_temperature
-    chosen = (log.drive_on == 1) & (np.abs(change) < TEMPERATURE_RANGE) & np.isfinite(force)
+    chosen = log.is_driven & (np.abs(change) < TEMPERATURE_RANGE) & np.isfinite(force)
     if not chosen.any():
         return math.nan
     rates = force[chosen] * (1 + nominal.decay_time_per_kelvin * change[chosen])
@@ -92,7 +92,7 @@ def _estimate_from_ring_down(log: Log, nominal: Device) -> list[NominalEstimate]
     Energy decays with the decay time alone. A frequency split may hide up to half of the energy as
     quadrature, which widens the allowed range.
     """
-    runs = find_runs(log.drive_on == 0)
+    runs = find_runs(log.is_free)
     rows = slice(*max(runs, key=lambda run: run[1] - run[0], default=(0, 0)))
     amplitude = log.amplitude[rows]
     time = log.time[rows][np.isfinite(amplitude)]

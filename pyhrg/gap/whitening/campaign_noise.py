@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.gap.replay.inputs.thermometer import SLOPE_TIME
-from pyhrg.gap.replay.observations import Mask, ObservedTest
+from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel, whiten
 
 THERMOMETER_CORRELATION = 3.0
@@ -55,7 +55,7 @@ class CampaignNoise:
         white = self.white_noise[channel][nearest]
         if channel in self.per_kelvin:
             return self._follow_thermometer(channel, test, white)
-        if channel == "amplitude" and not test.log.drive_on.all():
+        if channel == "amplitude" and test.log.is_free.any():
             walk = 2 * self.bryan_factor * self.angle.angle_random_walk
             return NoiseModel(white, angle_random_walk=walk)
         return NoiseModel(white)

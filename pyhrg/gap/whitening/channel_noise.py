@@ -4,9 +4,8 @@ import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.inputs.inputs import list_measured_temperatures
@@ -194,7 +193,7 @@ def build_angle_noise(device: Device) -> NoiseModel:
     )
 
 
-def _second_differences(series: Array, rows: NDArray[np.bool_]) -> Array:
+def _second_differences(series: Array, rows: Mask) -> Array:
     """Second differences over sqrt(6), of each three compared rows in succession."""
     three = rows[2:] & rows[1:-1] & rows[:-2]
     return np.asarray(np.diff(series, 2)[three] / np.sqrt(6))

@@ -1,9 +1,8 @@
 """Readings of the output angle without their white noise, where that is a coarse quantization."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.caches.compiled import compile_loop
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.observations import ObservedTest
@@ -28,9 +27,7 @@ def is_table_coarse(test: ObservedTest, device: Device) -> bool:
     return is_coarse and bool(np.ptp(test.inputs.log.table_angle))
 
 
-def smooth_readings(
-    series: Array, is_read: NDArray[np.bool_], interval: float, device: Device
-) -> Array:
+def smooth_readings(series: Array, is_read: Mask, interval: float, device: Device) -> Array:
     """(n, p) angles, rad, in rows `interval` seconds apart, as a walking angle that is read with
     the device's noise (docs/methods/effects.md, Eq. 3a)."""
     noise = build_angle_noise(device)
@@ -39,7 +36,7 @@ def smooth_readings(
 
 
 @compile_loop
-def smooth_walk(series: Array, is_read: NDArray[np.bool_], white: float, walk: float) -> Array:
+def smooth_walk(series: Array, is_read: Mask, white: float, walk: float) -> Array:
     """(n, p) posterior means of random walks from zero, given readings in some of n rows: the
     smoother of Rauch, Tung and Striebel (1965). `white` is the variance of a reading's noise,
     `walk` that of the walk in a row."""

@@ -4,9 +4,9 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.robust import estimate_robust_deviation
-from pyhrg.gap.replay.observations import Mask, ObservedTest
+from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.whitening.whitening import rise_behind_lag
 
 SHORTEST_SHARE = 1 / 16

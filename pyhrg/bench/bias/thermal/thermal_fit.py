@@ -16,7 +16,7 @@ from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import require_tests
 from pyhrg.bench.readings.first_order_lag import follow_with_lag
 from pyhrg.bench.readings.segments import WARM_UP, Points, join_points, read_points
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.units import MINUTE, ZERO_CELSIUS
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign
@@ -240,7 +240,7 @@ def _make_columns(
     return columns | {f"per kelvin squared {n}": warm**2 * c for n, c in basis.columns.items()}
 
 
-def _group_soaks(case: Array, steady: NDArray[np.bool_]) -> Array:
+def _group_soaks(case: Array, steady: Mask) -> Array:
     """(n,) mean temperature of each data point's soak, degC; NaN on a ramp."""
     order = np.argsort(case[steady])
     jumps = np.diff(case[steady][order], prepend=-np.inf) > SOAK_SPACING

@@ -11,7 +11,7 @@ from pyhrg.bench.estimation.harmonics import MEAN, fit
 from pyhrg.bench.estimation.sizes import estimate_spread
 from pyhrg.bench.outcome import BenchError, Finding, estimate_pooled_deviation
 from pyhrg.bench.readings import turns
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.units import ZERO_CELSIUS
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign
@@ -85,7 +85,7 @@ def make_findings(
     )
 
 
-def _pool(values: NDArray[Any], soaks: Sequence[NDArray[np.bool_]]) -> float:
+def _pool(values: NDArray[Any], soaks: Sequence[Mask]) -> float:
     """Scatter of values (n,), real or complex, within soaks (n,); NaN for one value a soak."""
     freedom = len(values) - len(soaks)
     square = sum(float(np.sum(np.abs(values[s] - np.mean(values[s])) ** 2)) for s in soaks)

@@ -117,7 +117,7 @@ def estimate_missed(part: LinearTest, sizes: TermSizes) -> dict[str, Array]:
     """(n,) by channel: what the linear response to terms of these sizes misses, because they turn
     the pattern and damp its free decay (docs/methods/equation.md, Eqs. 3a and 3b)."""
     where, slopes = part.where, part.by_angle.slopes["gyro_angle"]
-    is_driven = part.test.log.drive_on > 0  # what a free pattern does is in its linear response
+    is_driven = part.test.log.is_driven  # what a free pattern does is in its linear response
     growth = np.maximum(shape_origin(part.bryan_factor, slopes), MIN_REMAINING_SHIFT)
     growth = np.where(is_driven, growth, 1.0)
     linear = {name: compute_response(where, name, sizes) for name in CHANNELS}

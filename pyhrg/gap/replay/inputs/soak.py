@@ -24,7 +24,7 @@ def is_soaked(
     rows' bounds, K; where the first departs by less than the least departure, the log says nothing
     (docs/methods/replay.md, "Start temperature")."""
     departure = float(temperatures[0]) - nominal.reference_temperature
-    rows = np.isfinite(log.frequency_offset) & (log.drive_on > 0)
+    rows = np.isfinite(log.frequency_offset) & log.is_driven
     if abs(departure) < least_departure or not rows.any():
         return False
     settled = follow_with_lag(temperatures, log.interval, nominal.thermal_lag)[1:]

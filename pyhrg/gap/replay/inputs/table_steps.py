@@ -6,9 +6,8 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from pyhrg.common.arrays import Array
+from pyhrg.common.arrays import Array, Mask
 from pyhrg.common.caches.compiled import compile_loop
 from pyhrg.common.units import ARCSEC
 from pyhrg.records import Log
@@ -91,7 +90,7 @@ def find_rests(table_angle: Array, step: float) -> list[slice]:
 
 
 @compile_loop
-def _begin_rests(table_angle: Array, reach: float) -> NDArray[np.bool_]:
+def _begin_rests(table_angle: Array, reach: float) -> Mask:
     """(n,) whether a reading is further from the first one of a rest than `reach`: it begins the
     next one."""
     begins = np.zeros(len(table_angle), dtype=np.bool_)
@@ -103,7 +102,7 @@ def _begin_rests(table_angle: Array, reach: float) -> NDArray[np.bool_]:
     return begins
 
 
-def find_turning_rows(table_angle: Array) -> NDArray[np.bool_]:
+def find_turning_rows(table_angle: Array) -> Mask:
     """(n,) rows whose reading is not that of the row before, or of the next one."""
     changed = np.diff(table_angle) != 0
     return np.asarray(np.append(False, changed) | np.append(changed, False))
@@ -123,9 +122,7 @@ def shape_rounding_errors(table_angle: Array, step: float) -> Array:
     return np.asarray(ERROR_PER_STEP * step * np.array(shapes, dtype=float).T)
 
 
-def _find_places(
-    table_angle: Array, step: float, is_at_rest: NDArray[np.bool_]
-) -> list[NDArray[np.bool_]]:
+def _find_places(table_angle: Array, step: float, is_at_rest: Mask) -> list[Mask]:
     """(n,) rows of each angle that is passed several times; none if there are many."""
     count = round(2 * math.pi / (PLACE_STEPS * step))
     places = np.round(table_angle / (2 * math.pi) * count) % count

@@ -11,6 +11,7 @@ from ins_eval.study.predictors import fitted_map, true_parameters
 from ins_eval.study.predictors import prediction_columns as block
 from ins_eval.study.predictors.bench_figures import collect_bench_figures
 from ins_eval.study.predictors.parts.map_drift import NO_DRIFT
+from ins_eval.study.predictors.prediction import Prediction
 from ins_eval.study.predictors.unpredictable import compute_unpredictable_covariance
 from tests.ins_eval.study.predictors import cases, flights
 
@@ -20,14 +21,20 @@ TRIADS = cases.triads(seed=2, count=COUNT)
 TRAINING = cases.triads(seed=1, count=1000)
 LEARNT = block.train(TRAINING, *cases.SHEETS)
 RULES = cases.class_ratios(cases.triads(seed=1, count=50), WEIGHTS)
-PREDICTED = block.predict_all(WEIGHTS, TRIADS, LEARNT, RULES, seed=3)
+
+
+@pytest.fixture(scope="module")
+def predicted() -> dict[str, Prediction]:
+    return block.predict_all(WEIGHTS, TRIADS, LEARNT, RULES, seed=3)
 
 
 @pytest.mark.parametrize("key", ["fitted_map", "fitted_map_any_angle", "true_parameters"])
 @pytest.mark.parametrize("share", [0.05, 0.5, 0.95])
-def test_quantiles_hold_their_share(key: str, share: float) -> None:
+def test_quantiles_hold_their_share(
+    predicted: dict[str, Prediction], key: str, share: float
+) -> None:
     """Of 1000 triads, each once: binomial, one in 10^5 outside."""
-    inside = int(np.sum(flights.radial(TRIADS, WEIGHTS) <= PREDICTED[key].radius(share)))
+    inside = int(np.sum(flights.radial(TRIADS, WEIGHTS) <= predicted[key].radius(share)))
     assert binom.ppf(5e-6, COUNT, share) <= inside <= binom.isf(5e-6, COUNT, share)
 
 

@@ -205,7 +205,7 @@ def _generate_functions(where: Coordinates) -> Functions:
         yield "time", f"settling in {constant:g} s", None, np.exp(-time / constant)
     if (period := where.test.line_period) is not None:
         cycle = where.rotate(2 * math.pi * time / period)
-        yield "time", f"harmonic 1 of a period of {period:g} s", 1, cycle
+        yield "time", f"harmonic 1 of a period of {period:.9g} s", 1, cycle
     yield "time", EACH_POWER_ON, None, np.ones(len(time))
 
 

@@ -56,7 +56,7 @@ def make_step(times: Sequence[tuple[str, float]], log_odds: float, kind: Kind) -
 
 
 def _describe_all(times: Sequence[tuple[str, float]]) -> str:
-    return "; ".join(f"at {time:.6g} s in {test}" for test, time in times)
+    return "; ".join(f"at {time:.9g} s in {test}" for test, time in times)
 
 
 def parse_times(words: str) -> list[tuple[str, float]]:

@@ -261,6 +261,9 @@ class _Iteration:
         longest = max(test.log.time[-1] for test in self._tests)
         if known and abs(period / known - 1) * longest < PHASE_TOLERANCE * known:
             return False
+        # the period stands in the term's words: rounded where the line does not feel it
+        decimals = -math.floor(math.log10(PHASE_TOLERANCE / 10 * period**2 / longest))
+        period = round(period, max(decimals, 0))
         self._observe([replace(test, line_period=period) for test in self._tests])
         return True
 

@@ -46,6 +46,7 @@ SMOOTHING_TIME = 300.0
 """Time over which the slope of a noisy temperature log is taken, s. Chosen."""
 ANISOTROPY_FACTORS = (
     ("temperature", "the temperature"),
+    ("temperature", "the temperature squared"),
     *(("acceleration", words) for words in SPECIFIC_FORCES),
     ("amplitude", "the amplitude"),
     ("time", "the time"),
@@ -131,6 +132,7 @@ class Coordinates:
         factors = {
             "the rate": self.table_rate,
             "the temperature": self.resonator / 10,
+            "the temperature squared": (self.resonator / 10) ** 2,
             "the amplitude": self.amplitude,
             "the time": log.time / 3600,
             **forces,

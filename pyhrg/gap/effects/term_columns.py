@@ -249,7 +249,8 @@ def _generate_electrode_errors(
     for m in ELECTRODE_HARMONICS:
         yield m, "wave_angle", name_harmonic(m), m, where.harmonics[m]
     for m in LINEAR_HARMONICS:
-        yield m, "temperature", *where.multiply_harmonic(m, "the temperature")
+        for words in ("the temperature", "the temperature squared"):
+            yield m, "temperature", *where.multiply_harmonic(m, words)
         for words in SPECIFIC_FORCES:
             yield m, "acceleration", *where.multiply_harmonic(m, words)
             yield m, "acceleration", *where.multiply_harmonic(m, f"{words} squared")

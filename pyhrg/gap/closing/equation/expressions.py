@@ -15,7 +15,11 @@ from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.coordinates import HYSTERESIS_WIDTHS, LAST_MOTION, THERMAL_LAGS
 from pyhrg.gap.effects.jump import parse_times
 
-FIRST_POWERS = {"temperature": "temperature^1", "time": "time since power-on"}
+SECOND_FUNCTIONS = {
+    "temperature": "temperature^1",
+    "temperature squared": "temperature^2",
+    "time": "time since power-on",
+}
 """Functions by their names as the second of a product, where these differ."""
 TERM_SCALE = 10.0
 """Temperature, K, and specific force, m/s^2, over which candidate terms are taken."""
@@ -108,7 +112,7 @@ def _express(function: str) -> tuple[Basis, ...]:
 def express_second(term: CandidateTerm) -> Basis:
     """Basis function of the second function of a product."""
     words = term.second.removeprefix("the ")
-    (basis,) = _express(FIRST_POWERS.get(words, words))
+    (basis,) = _express(SECOND_FUNCTIONS.get(words, words))
     return basis
 
 
@@ -191,7 +195,7 @@ def _read_power(words: str) -> int:
 
 def _multiply(match: Match) -> tuple[Basis, ...]:
     """Basis functions times that of a second function."""
-    words = FIRST_POWERS.get(match[3], match[3])
+    words = SECOND_FUNCTIONS.get(match[3], match[3])
     (second,) = _express((match[2] or "") + words + (match[4] or ""))
     return tuple(
         Basis(

@@ -50,6 +50,7 @@ ANISOTROPY_FACTORS = (
     *(("acceleration", words) for words in SPECIFIC_FORCES),
     ("amplitude", "the amplitude"),
     ("time", "the time"),
+    *(("time", f"the settling in {constant:g} s") for constant in (400.0, 2500.0)),
 )
 """Coordinates that an anisotropy of damping or stiffness may follow, with the function of each."""
 Functions = Iterator[tuple[str, str, int | None, Array]]
@@ -138,6 +139,8 @@ class Coordinates:
             **forces,
             **{f"{words} squared": force**2 for words, force in forces.items()},
         }
+        for constant in WARM_UP_TIMES:
+            factors[f"the settling in {constant:g} s"] = np.exp(-log.time / constant)
         return {words: values[:, None] for words, values in factors.items()}
 
     def multiply(self, words: str, block: Array, second: str) -> tuple[str, None, Array]:
@@ -204,7 +207,8 @@ def _generate_functions(where: Coordinates) -> Functions:
     time = where.test.log.time
     yield "time", "time since power-on", None, time / 3600
     for constant in WARM_UP_TIMES:
-        yield "time", f"settling in {constant:g} s", None, np.exp(-time / constant)
+        words = f"settling in {constant:g} s"
+        yield "time", words, None, where.factors[f"the {words}"]
     if (period := where.test.line_period) is not None:
         cycle = where.rotate(2 * math.pi * time / period)
         yield "time", f"harmonic 1 of a period of {period:.9g} s", 1, cycle

@@ -1,11 +1,11 @@
-"""Other errors outside the catalogue than those of the challenge, with sight of the terms.
+"""Further errors outside the catalogue, to see which candidate terms are missing.
 
     python benchmarks/forms.py FOLDER SEED COUNT
 
-Makes campaigns of a good laboratory, each with one of these forms, diagnoses and scores them. The
-forms of `hrg gap challenge` were written without sight of the terms that a diagnosis proposes.
-These were written after them, about places and coordinates that those leave out, to see which terms
-are missing. One process works: the forms are put in the place of the challenge's.
+Makes campaigns of a good laboratory, each with one of these forms, drawn at random, diagnoses and
+scores them. The forms of `hrg gap challenge` were written without knowledge of the candidate terms.
+These were written with it, so that their score is no evidence of how often the diagnosis is right.
+One process does all the work, because others would load the challenge's own forms.
 """
 
 import sys
@@ -31,9 +31,9 @@ def weigh(now: Conditions, axis: int) -> Array:
     return now.acceleration[axis] / STANDARD_GRAVITY
 
 
-def trail(now: Conditions, draw: np.random.Generator) -> Array:
+def lag_twice(now: Conditions, draw: np.random.Generator) -> Array:
     """The temperature behind a second lag, of 1500 to 4000 s."""
-    step = now.interval / (now.warmth.shape[1] if now.warmth.ndim > 1 else 1)
+    step = now.interval / now.warmth.shape[1]
     late = follow(now.warmth.ravel(), step, draw.uniform(1500, 4000))
     return late.reshape(now.warmth.shape) / KELVINS
 
@@ -50,7 +50,7 @@ FORMS = (
          "A particle leaves the rim."),
     Form("split_gradient", "stiffness", "temperature_rate",
          vary(SPLIT, 1e-5 * HZ, lambda now, draw: now.warming * MINUTE),
-         "A gradient across the rim."),
+         "A gradient across the rim stresses one axis."),
     Form("split_temperature_squared", "stiffness", "temperature",
          vary(SPLIT, 1e-5 * HZ, warm(2)), "Two moduli differ to second order."),
     Form("frequency_settles", "stiffness", "time",
@@ -59,30 +59,30 @@ FORMS = (
          show("frequency_offset", 1e-4 * HZ, lambda now, draw: weigh(now, 2) ** 2),
          "Weight along the stem stresses the shell the same way up and down."),
     Form("warm_second_harmonic", "bias", "temperature", turn(0.01 * DEG_PER_H, warm_harmonic),
-         "A shell off centre whose gap grows."),
+         "The gap of a shell off centre grows as it warms."),
     Form("temperature_cubed", "bias", "temperature", turn(0.01 * DEG_PER_H, warm(3)),
          "A compensation to second order leaves the third."),
     Form("acceleration_across", "bias", "acceleration",
          turn(0.05 * DEG_PER_H, lambda now, draw: weigh(now, 0)), "Weight bends the stem."),
     Form("acceleration_product", "bias", "acceleration",
          turn(0.05 * DEG_PER_H, lambda now, draw: weigh(now, 0) * weigh(now, 2)),
-         "A bent stem under a load along it."),
-    Form("second_thermal_lag", "bias", "temperature", turn(0.01 * DEG_PER_H, trail),
+         "A bent stem bends further under a load along it."),
+    Form("second_thermal_lag", "bias", "temperature", turn(0.01 * DEG_PER_H, lag_twice),
          "A heavy part of the mount follows slowly."),
     Form("warming_magnitude", "bias", "temperature_rate",
          turn(0.01 * DEG_PER_H, lambda now, draw: np.abs(now.warming) * MINUTE),
-         "Friction in the mount while it expands or shrinks."),
+         "The mount rubs while it expands or shrinks."),
     Form("bias_harmonic_8", "bias", "wave_angle", turn(0.1 * DEG_PER_H, wave(8)),
-         "Eight electrodes."),
+         "Eight electrodes repeat round the shell."),
     Form("readout_harmonic_6", "readout", "wave_angle", misread(0.1 * ARCSEC, wave(6)),
-         "A converter's cubic error."),
+         "A converter has a cubic error."),
     Form("readout_harmonic_2", "readout", "wave_angle", misread(0.1 * ARCSEC, wave(2)),
-         "An offset that the loops do not see."),
+         "A sum has an offset that the loops do not see."),
     Form("scale_temperature", "readout", "temperature",
          turn(10 * PPM, lambda now, draw: now.rate * now.warmth / KELVINS),
          "The angular gain follows the wall."),
     Form("damping_harmonic_2", "damping", "wave_angle", damp(1e-8, wave(2)),
-         "A coating that is thicker on one side."),
+         "A coating is thicker on one side."),
     Form("damping_acceleration", "damping", "acceleration",
          damp(1e-8, lambda now, draw: weigh(now, 2)), "The support's loss follows its load."),
     Form("damping_rate_squared", "damping", "rate",
@@ -96,7 +96,7 @@ FORMS = (
     Form("phase_drift", "electronics", "time",
          command("phase_offset", 1e-5, lambda now, draw: now.time / 3600), "An oscillator ages."),
     Form("phase_temperature_squared", "electronics", "temperature",
-         command("phase_offset", 1e-5, warm(2)), "A filter's second coefficient."),
+         command("phase_offset", 1e-5, warm(2)), "A filter has a second temperature coefficient."),
     Form("set_point_drift", "electronics", "time",
          command("amplitude_setpoint", 1e-6, lambda now, draw: now.time / 3600),
          "A voltage reference ages."),
@@ -113,12 +113,12 @@ FORMS = (
     Form("gain_settles", "pickoff", "time", vary(GAIN, 1e-6, fade(300, 1500)),
          "A preamplifier warms up."),
     Form("gain_temperature_squared", "pickoff", "temperature", vary(GAIN, 1e-6, warm(2)),
-         "A preamplifier's second coefficient."),
+         "A preamplifier has a second temperature coefficient."),
 )  # fmt: skip
 
 
 def main(folder: str, seed: str, count: str) -> None:
-    form.FORMS_MODULE = "benchmarks.forms"
+    form.FORMS_MODULE = __name__
     kinds = {"none": 0, "single": 0, "pairs": 0, "outside": int(count)}
     level = "good-lab"
     score = run_challenge(folder, **kinds, level=level, seed=int(seed), workers=1, progress=True)

@@ -21,17 +21,17 @@ from pyhrg.common.files import write_whole
 
 FILE = Path(__file__).parents[1] / "docs" / "gap-seeds.csv"
 TITLES = {
-    "false alarm without a gap": "no false alarm",
-    "single: right effect or its class": "one effect",
-    "pair: right effects or their classes": "two effects",
+    "false alarm without a gap": "false alarms",
+    "single: right effect or its class": "one effect right",
+    "pair: right effects or their classes": "two effects right",
     "several: all named": "3 to 8: all named",
     "several: none invented": "3 to 8: none invented",
-    "where: gyro, nominal, bench or record": "where",
+    "where: gyro, nominal, bench or record": "where right",
     "outside: recognised": "outside: recognised",
     "outside: a term in the right coordinate": "outside: right coordinate",
-    "a term where there is none": "no term without a cause",
-    "false discovery rate of names": "right names",
-    "95 % intervals that cover": "intervals that hold",
+    "a term where there is none": "false terms",
+    "false discovery rate of names": "false names",
+    "95 % intervals that cover": "intervals that cover",
 }
 """Figures that are counted, and the heads of their columns in the table by seed."""
 Row = dict[str, str]
@@ -76,40 +76,39 @@ def pool(rows: Sequence[Row]) -> list[Figure]:
 
 def format_pooled(figures: Sequence[Figure]) -> list[str]:
     """Lines of the table of all seeds."""
-    lines = ["| figure | target | all seeds | campaigns |", "|---|---|---|---|"]
+    lines = ["| figure | target | all these seeds | n |", "|---|---|---|---|"]
     for f in figures:
-        target = f"{SIGNS[f.sense]} {f.target:g}".removeprefix("= ")
+        target = f"{SIGNS[f.sense]} {f.target:.2f}".removeprefix("= ")
         share = f"{f.value:.3f} ({f.low:.3f} to {f.high:.3f})"
         lines.append(f"| {f.name} | {target} | {share} | {f.n} |")
     return lines
 
 
 def format_by_seed(rows: Sequence[Row], figures: Sequence[Figure]) -> list[str]:
-    """Lines of the table by seed: how many are right, of how many."""
-
-    def tell(name: str, hits: str, n: str) -> str:
-        is_wrong = targets[name].sense == "at most"
-        return f"{int(n) - int(hits) if is_wrong else hits}/{n}" if n else "-"
-
-    targets = {figure.name: figure for figure in figures}
-    total = {f.name: (str(round(f.value * f.n)), str(f.n)) for f in figures}
+    """Lines of the table by seed: what each figure counts, of how many."""
     lines = [
         "| seed | commit | " + " | ".join(TITLES.values()) + " |",
         "|---" * (len(TITLES) + 2) + "|",
     ]
     for row in rows:
-        own = (tell(name, row[f"{name}: yes"], row[f"{name}: of"]) for name in TITLES)
+        pairs = ((row[f"{name}: yes"], row[f"{name}: of"]) for name in TITLES)
+        own = (f"{hits}/{n}" if n else "-" for hits, n in pairs)
         lines.append(f"| {row['seed']} | {row['commit']} | " + " | ".join(own) + " |")
-    all_of_them = (f"**{tell(name, *total[name])}**" for name in TITLES)
-    return [*lines, "| **all** | | " + " | ".join(all_of_them) + " |"]
+    totals = (f"**{round(f.value * f.n)}/{f.n}**" for f in figures)
+    return [*lines, "| **all** | | " + " | ".join(totals) + " |"]
 
 
 def main(arguments: Sequence[str]) -> None:
     rows = read_rows()
     if arguments:
         folder, commit = arguments
-        new = count(read_finished(Folder(Path(folder))), commit)
-        rows = [*(row for row in rows if row["seed"] != new["seed"]), new]
+        finished = read_finished(Folder(Path(folder)))
+        settings = finished.settings
+        if (settings.level, settings.data) != ("good-lab", "full"):
+            sys.exit(f"{folder}: found {settings.level}, {settings.data}, expected good-lab, full")
+        if any(row["seed"] == str(settings.seed) for row in rows):
+            sys.exit(f"{folder}: seed {settings.seed} is counted already")
+        rows.append(count(finished, commit))
         write_rows(rows)
     figures = pool(rows)
     print("\n".join(["", *format_pooled(figures), "", *format_by_seed(rows, figures)]))

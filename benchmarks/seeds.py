@@ -60,7 +60,7 @@ def write_rows(rows: Sequence[Row]) -> None:
     writer = csv.DictWriter(text, [*rows[0]], lineterminator="\n")
     writer.writeheader()
     writer.writerows(rows)
-    write_whole(FILE, text.getvalue())
+    write_whole(FILE, text.getvalue().encode())
 
 
 def pool(rows: Sequence[Row]) -> list[Figure]:

@@ -68,9 +68,11 @@ def locate_gap(
 
     Within a channel, candidate terms are fitted and removed one by one: first with the same size in
     all tests, then in each test that has power left. Power that no term explains has the coordinate
-    `noise`.
+    `noise`. Products with a function that settles are left out: they would place in time what the
+    pattern angle makes in short tests.
     """
-    terms = [g for g in design.columns if isinstance(g, CandidateTerm)]
+    groups = (g for g in design.columns if isinstance(g, CandidateTerm))
+    terms = [term for term in groups if not term.is_settling_product]
     powers: dict[tuple[str, str, str, int | None], float] = {}
     for channel in dict.fromkeys(block.channel for block in design.blocks):
         blocks = [block for block in design.blocks if block.channel == channel]

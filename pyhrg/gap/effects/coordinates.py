@@ -44,13 +44,15 @@ WARM_UP_TIMES = (60.0, 150.0, 400.0, 1000.0, 2500.0, 6000.0)
 """Time constants of transients after power-on, s. Chosen: about a factor of 2.5 apart."""
 SMOOTHING_TIME = 300.0
 """Time over which the slope of a noisy temperature log is taken, s. Chosen."""
+SETTLING_FACTORS = ("the settling in 400 s", "the settling in 2500 s")
+"""Functions that settle after power-on, as factors of a product. Chosen."""
 ANISOTROPY_FACTORS = (
     ("temperature", "the temperature"),
     ("temperature", "the temperature squared"),
     *(("acceleration", words) for words in SPECIFIC_FORCES),
     ("amplitude", "the amplitude"),
     ("time", "the time"),
-    *(("time", f"the settling in {constant:g} s") for constant in (400.0, 2500.0)),
+    *(("time", words) for words in SETTLING_FACTORS),
 )
 """Coordinates that an anisotropy of damping or stiffness may follow, with the function of each."""
 Functions = Iterator[tuple[str, str, int | None, Array]]

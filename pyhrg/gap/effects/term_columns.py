@@ -14,6 +14,7 @@ from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.coordinates import (
     LAST_MOTION,
     PATTERN_HARMONICS,
+    SETTLING_FACTORS,
     SPECIFIC_FORCES,
     Coordinates,
     Functions,
@@ -254,6 +255,8 @@ def _generate_electrode_errors(
         for words in SPECIFIC_FORCES:
             yield m, "acceleration", *where.multiply_harmonic(m, words)
             yield m, "acceleration", *where.multiply_harmonic(m, f"{words} squared")
+        for words in SETTLING_FACTORS:
+            yield m, "time", *where.multiply_harmonic(m, words)
     for m in (2, 8):
         yield m, "amplitude", *where.multiply_harmonic(m, "the amplitude")
 

@@ -85,7 +85,7 @@ def damping(power: float, ratio: float) -> Disturb:
     def disturb(size: float) -> Disturbance:
         def show(log: Log) -> Log:
             added = size * ratio * GROWTH * (log.amplitude**power - 1)
-            is_free = log.drive_on <= 0
+            is_free = log.is_free
             decay = np.cumsum(np.where(is_free, added, 0.0)) * log.interval
             return replace(
                 log,

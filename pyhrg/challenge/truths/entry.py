@@ -181,7 +181,7 @@ def _draw_error(size: float, shape: Shape, generator: np.random.Generator) -> Er
 
 def _decay(log: Log, rate: Array) -> Log:
     """A log with an added rate of decay, (n, m), 1/s, to first order."""
-    is_free, mean = log.drive_on <= 0, rate.mean(axis=1)
+    is_free, mean = log.is_free, rate.mean(axis=1)
     lost = np.cumsum(np.where(is_free, mean, 0.0)) * log.interval
     return replace(
         log,

@@ -65,12 +65,6 @@ class CandidateTerm:
         return self.function.partition(", times ")[2]
 
     @property
-    def is_settling_product(self) -> bool:
-        """Whether the second function settles after power-on; in a test that is shorter, the
-        product is about the first function."""
-        return self.second.startswith("the settling")
-
-    @property
     def is_curved(self) -> bool:
         """Whether the response is linear only where it is small. That to an encoder's error is: the
         pattern is where the gyro reads it."""

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
+from pyhrg.gap.effects.coordinates import SETTLING_FACTORS
 from pyhrg.gap.effects.design import Block, Design, subtract_sizes
 from pyhrg.gap.effects.linear_test import LinearTest
 
@@ -72,7 +73,7 @@ def locate_gap(
     pattern angle makes in short tests.
     """
     groups = (g for g in design.columns if isinstance(g, CandidateTerm))
-    terms = [term for term in groups if not term.is_settling_product]
+    terms = [term for term in groups if term.second not in SETTLING_FACTORS]
     powers: dict[tuple[str, str, str, int | None], float] = {}
     for channel in dict.fromkeys(block.channel for block in design.blocks):
         blocks = [block for block in design.blocks if block.channel == channel]

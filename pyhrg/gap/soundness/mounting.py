@@ -66,7 +66,7 @@ def _fit_table_slope(log: Log) -> float:
     """Slope of the gyro's steps from row to row over the table's, with the drive on; NaN where the
     table does not turn."""
     table, gyro = np.diff(log.table_angle), np.diff(log.gyro_angle)
-    known = np.isfinite(table) & np.isfinite(gyro) & log.is_driven[1:]
+    known = np.isfinite(table) & np.isfinite(gyro) & ~log.is_free[1:]
     table, gyro = table[known], gyro[known]
     if np.sum(np.abs(table)) < MIN_TABLE_TURN:
         return np.nan
@@ -107,7 +107,7 @@ def _list_rests(log: Log) -> list[tuple[float, float, float]]:
     angle = log.gyro_angle - table
     still = np.isfinite(np.diff(angle)) & (np.diff(log.axis_up) == 0)
     still &= np.abs(np.diff(table)) < REST_TURN
-    still &= log.is_driven[1:] & (np.nan_to_num(log.virtual_rotation[1:]) == 0)
+    still &= ~log.is_free[1:] & (np.nan_to_num(log.virtual_rotation[1:]) == 0)
     return [
         (float(log.axis_up[first]), *_measure_rate(log.time, angle, first, end))
         for first, end in find_runs(still)

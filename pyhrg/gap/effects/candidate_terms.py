@@ -3,10 +3,11 @@
 A term is a small block of columns over pattern angle, table angle, temperature and its rate, input
 rate, specific force, amplitude or time (`coordinates.py`). In the output angle it is an error of
 the angle itself, or a bias, whose integral is the column (docs/methods/effects.md, Eqs. 4 and 5).
-Those of pick-off and drive stand in `term_columns.py`.
+Its columns stand in `term_columns.py` and `electrode_terms.py`.
 """
 
 from dataclasses import dataclass
+from functools import cache
 
 from pyhrg.gap.replay.observations import CHANNEL_WORDS
 from pyhrg.gap.soundness.fault import TABLE_RIPPLES, FaultKind
@@ -65,6 +66,11 @@ class CandidateTerm:
         return self.function.partition(", times ")[2]
 
     @property
+    def is_plain(self) -> bool:
+        """Whether it is a function of one coordinate that is no angle, the same in all tests."""
+        return self.harmonic is None and not (self.second or self.is_of_each_power_on)
+
+    @property
     def is_curved(self) -> bool:
         """Whether the response is linear only where it is small. That to an encoder's error is: the
         pattern is where the gyro reads it."""
@@ -85,3 +91,12 @@ class CandidateTerm:
     def fault(self) -> FaultKind | None:
         """The fault of the bench that it is: a ripple of the table, unseen by its encoder."""
         return TABLE_RIPPLES.get(self.harmonic or 0) if self.is_encoder_error else None
+
+
+@cache
+def make_term(
+    channel: str, coordinate: str, function: str, harmonic: int | None = None, prefix: str = ""
+) -> CandidateTerm:
+    """A term whose prefix stands apart from its function."""
+    words = f"{prefix}: {function}" if prefix else function
+    return CandidateTerm(channel, coordinate, words, harmonic)

@@ -8,8 +8,8 @@ from functools import cached_property
 import numpy as np
 
 from pyhrg.bench.readings.first_order_lag import follow_with_lag
+from pyhrg.bench.readings.play import follow_with_play
 from pyhrg.common.arrays import Array
-from pyhrg.common.caches.compiled import compile_loop
 from pyhrg.common.units import ARCSEC
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import EACH_POWER_ON
@@ -107,6 +107,12 @@ class Coordinates:
         share = np.sinc((angle - begin) / (2 * math.pi))
         return np.asarray(share[:, None] * make_harmonic((begin + angle) / 2))
 
+    def integrate(self, rate: Array) -> Array:
+        """(n, b) integral of rates over the rows, as a pattern that is free in some of them
+        turns."""
+        turned = np.cumsum(rate, axis=0) * self.test.log.interval
+        return np.asarray(turned * self.free_turns[:, None])
+
     @cached_property
     def functions(self) -> list[tuple[str, str, int | None, Array]]:
         """Coordinate, words, harmonic and (n, b) values of each basis function."""
@@ -122,7 +128,7 @@ class Coordinates:
         """(n, 1) direction of the table's last motion, -1 to 1; 0 until it moves. By half the
         backlash, with this sign, an encoder with backlash lags behind the table."""
         turned = np.append(0.0, self.table_angle)
-        moved = np.sign(np.diff(_follow_with_play(turned, BACKLASH_WIDTH)))
+        moved = np.sign(np.diff(follow_with_play(turned, BACKLASH_WIDTH)))
         last = np.maximum.accumulate(np.where(moved != 0, np.arange(len(moved)), 0))
         return np.asarray(moved[last, None])
 
@@ -243,7 +249,7 @@ def _generate_temperature_functions(where: Coordinates) -> Functions:
     direction = rate / np.hypot(rate, ZERO_TEMPERATURE_RATE)  # smooth about zero, -1 to 1
     yield "temperature_rate", f"direction {words}", None, direction
     for width in HYSTERESIS_WIDTHS:
-        lagging = _follow_with_play(where.case, width) / 10
+        lagging = follow_with_play(where.case, width) / 10
         yield "temperature", f"temperature with a hysteresis of {width:g} K", None, lagging
     for lag in THERMAL_LAGS:
         lagging = follow_with_lag(where.case, where.test.log.interval, lag) / 10
@@ -272,17 +278,16 @@ def _generate_acceleration_functions(where: Coordinates) -> Functions:
         yield "acceleration", f"acceleration {pair[0]} times {pair[1]}", None, product
 
 
-@compile_loop
-def _follow_with_play(series: Array, width: float) -> Array:
-    """(n,) output of a play (backlash) operator of this width: hysteresis."""
-    lagging = np.empty_like(series)
-    last = series[0]
-    for i, value in enumerate(series):
-        last = min(max(last, value - width / 2), value + width / 2)
-        lagging[i] = last
-    return lagging
-
-
 def make_harmonic(angle: Array) -> Array:
     """(n, 2) cosine and sine."""
     return np.column_stack([np.cos(angle), np.sin(angle)])
+
+
+def turn_harmonic(block: Array) -> Array:
+    """(n, 2) cosine and sine of a harmonic, a quarter of its period ahead."""
+    return np.column_stack([-block[:, 1], block[:, 0]])
+
+
+def average_rows(block: Array) -> Array:
+    """(n, b) mean of each row and the one before."""
+    return np.asarray((block + np.vstack([block[:1], block[:-1]])) / 2)

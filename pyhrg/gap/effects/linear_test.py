@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pyhrg.common.arrays import Array
 from pyhrg.common.robust import estimate_robust_deviation
@@ -56,11 +57,12 @@ class WhitenedTerms:
 
 @dataclass(frozen=True)
 class _WhitenedBase:
-    """Effects and candidate terms of a channel in a test: their products, and the whitened (m, q)
-    series with which those of forms and jumps are made; None where the series are too long to be
-    kept."""
+    """Effects and candidate terms of a channel in a test: their products, which columns show in it
+    at all, and the whitened (m, p) series of these, with which those of forms and jumps are made;
+    None where the series are too long to be kept."""
 
     terms: WhitenedTerms
+    shown: NDArray[np.int64]
     series: Array | None
 
 
@@ -198,9 +200,12 @@ def whiten_terms(
         return base.terms
     series = base.series
     if series is None:
-        series = whiten_rows(part, channel, _build_base(part, channel)[1], noise).series
+        own = _build_base(part, channel)[1][:, base.shown]
+        series = whiten_rows(part, channel, own, noise).series
     added = whiten_rows(part, channel, np.column_stack([*extra.values()]), noise).series
-    across, gram = series.T @ added, base.terms.gram
+    gram = base.terms.gram
+    across = np.zeros((len(gram), added.shape[1]))
+    across[base.shown] = series.T @ added
     gram = np.block(
         [
             [gram[:-1, :-1], across[:-1], gram[:-1, -1:]],
@@ -219,9 +224,13 @@ def _whiten_base(part: LinearTest, channel: str, noise: CampaignNoise) -> _White
     if kept and kept[0] == key:
         return kept[1]
     sizes, series = _build_base(part, channel)
-    white = whiten_rows(part, channel, series, noise)
-    terms = WhitenedTerms(sizes, white.series.T @ white.series, white.log_determinant)
-    base = _WhitenedBase(terms, white.series if white.series.size <= MAX_KEPT_NUMBERS else None)
+    shown = np.flatnonzero(series[part.test.rows[channel]].any(axis=0))
+    white = whiten_rows(part, channel, series[:, shown], noise)
+    gram = np.zeros((series.shape[1], series.shape[1]))
+    gram[np.ix_(shown, shown)] = white.series.T @ white.series
+    terms = WhitenedTerms(sizes, gram, white.log_determinant)
+    is_kept = white.series.size <= MAX_KEPT_NUMBERS
+    base = _WhitenedBase(terms, shown, white.series if is_kept else None)
     part.kept[channel] = key, base
     return base
 

@@ -178,6 +178,8 @@ NEAREST = {
     ("pickoff", "acceleration"): (_FORCE,),
     ("pickoff", "amplitude"): (_CUBIC, _OFFSET),
     ("drive", "wave_angle"): (_DRIVE_GAIN, _DRIVE_AXES, _AUTHORITY),
+    ("drive", "temperature"): (_OVER_TEMPERATURE, _GRADIENT),
+    ("drive", "time"): (_AGEING, _CHARGE),
     ("damping", "wave_angle"): (_DAMPING, _MOUNTING, _DRIVE_GAIN),
     ("damping", "temperature"): (_OVER_TEMPERATURE,),
     ("damping", "time"): (_AGEING,),

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from pyhrg.common.units import ARCSEC, DEG_PER_H, HZ
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
-from pyhrg.gap.effects.term_columns import LINEAR_HARMONICS
+from pyhrg.gap.effects.electrode_terms import LINEAR_HARMONICS
 from pyhrg.gap.findings.term import Location
 
 
@@ -47,6 +47,12 @@ GAIN = "gyro.controller.readout.bryanFactor"
 """Angular gain, in the written class."""
 LEAK = f"-gyro.quadratureForce/(2*{GAIN})"
 """Rate that an error of the phase makes of the quadrature force, per radian, in it."""
+MISDIRECTED = (
+    Response("addedRate", GROWTH),
+    Response("addedAmplitudeForce", f"-4*{GAIN}^2*virtualRotation"),
+    Response("addedFrequency", f"-2*{GAIN}*gyro.quadratureForce"),
+)
+"""What forces that point beside the pattern do."""
 BIAS = Acting("bias", "bias", "AngularVelocity", "deg_h", DEG_PER_H, (Response("addedRate"),))
 READOUT = Acting("readout", "readout", "Angle", "arcsec", ARCSEC, (Response("addedAngle"),))
 BY_PREFIX = {
@@ -55,9 +61,9 @@ BY_PREFIX = {
     "output alone": READOUT,
     "pick-off": Acting(
         "pickoff", "pickoff", "Angle", "arcsec", ARCSEC,
-        (Response("addedAngle"), Response("addedRate", GROWTH)),
+        (Response("addedAngle"), *MISDIRECTED),
     ),
-    "drive": Acting("drive", "drive", "Angle", "arcsec", ARCSEC, (Response("addedRate", GROWTH),)),
+    "drive": Acting("drive", "drive", "Angle", "arcsec", ARCSEC, MISDIRECTED),
     "phase": Acting(
         "electronics", "phase", "Angle", "rad", 1.0,
         (
@@ -102,7 +108,6 @@ BY_CHANNEL = {
 MISREAD_AMPLITUDE = (
     Response("addedMisreading", f"2*{GAIN}", is_turned=True),
     Response("addedRate", f"-2*{GAIN}*virtualRotation", is_turned=True),
-    Response("addedAmplitudeForce", f"-4*{GAIN}^2*virtualRotation"),
 )
 """What a linear error of the pick-offs does beside its error of the angle."""
 

@@ -155,6 +155,7 @@ def test_one_size_of_a_term_explains_a_phase_that_settles(simulation: Simulation
             "damping_anisotropy_temperature",
             "harmonic 4 of the pattern angle, times the temperature",
         ),
+        ("g_sensitive_bias", "drive: settling in 150 s"),
     ],
 )
 @pytest.mark.parametrize("commanded", [0.0, 1 * DEG])
@@ -162,27 +163,33 @@ def test_one_size_of_a_term_explains_an_effect_in_all_channels(
     simulation: Simulation, name: str, function: str, commanded: float
 ) -> None:
     """Pick-offs that misread the angle also misread the amplitude; an anisotropy of damping also
-    turns the pattern. Each channel counts in units of what the effect makes there."""
+    turns the pattern; forces that point beside the pattern also change the frequency. Each channel
+    counts in units of what the effect makes there."""
     turns = np.arange(ROWS) / ROWS
+    still = made_up_log(ROWS, noise=0.0)
     log = replace(
-        made_up_log(ROWS, noise=0.0),
+        still,
         acceleration_x=5 * np.sin(4 * np.pi * turns),
+        acceleration_z=5 * np.exp(-still.time / 150),
         temperature=298.15 + 10 * np.sin(2 * np.pi * turns),
         table_angle=6 * turns,
         virtual_rotation=np.full(ROWS, commanded),
     )
     device = replace(NOMINAL.without_noise(), damping_anisotropy=1e-5, damping_axis=0.3)
+    device = replace(device, frequency_split=0.01, stiffness_axis=0.7)
     observed = observe_test(Test("test", "static", "fit", log), device)
     effect = EFFECTS[name]
     where = compute_coordinates(observed, simulation.simulate(device, observed), device)
     effects = compute_sensitivities(simulation, device, observed, [effect])[effect]
     slopes = simulation.differentiate_by_angle(device, observed).slopes
     reading = {t.function: values for t, values in build_reading_columns(where, ())}
+    own_channel = "amplitude_force" if name.startswith("damping") else "gyro_angle"
     shown, expected = [], []
-    for channel in ("gyro_angle", "amplitude_force", "quadrature_force"):
-        columns = {term.function: block for term, block in build_term_columns(where, channel)}
+    for channel in ("gyro_angle", "amplitude_force", "quadrature_force", "frequency_offset"):
+        terms = build_term_columns(where, channel)
+        columns = {t.function: block for t, block in terms if t.channel == own_channel}
         is_misread = channel != "gyro_angle" and function in reading
-        if channel == "quadrature_force" and not is_misread:
+        if not np.any(columns.get(function, 0.0)):
             continue
         own, response = columns[function], effects[channel][:, 0]
         if channel != "gyro_angle":

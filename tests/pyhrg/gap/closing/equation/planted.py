@@ -58,7 +58,7 @@ def plant_electrode_error(
     shape: Callable[[Array, Array], Array], arcsec: float, is_pickoff: bool
 ) -> Callable[[float], Disturbance]:
     """An error of the pick-off, or of the drive alone, by pattern angle and amplitude, at a size:
-    the force that makes up for the damping points beside the pattern."""
+    the forces of all loops point beside the pattern."""
 
     def disturb(size: float) -> Disturbance:
         unit = size * arcsec * ARCSEC
@@ -74,9 +74,16 @@ def plant_electrode_error(
             return np.asarray(unit * pushed * course.each("drive_on"))
 
         def show(log: Log) -> Log:
-            return shift_angle(log, unit * shape(log.wave_angle, log.amplitude))
+            error = unit * shape(log.wave_angle, log.amplitude)
+            held = 4 * GAIN**2 * log.virtual_rotation * error
+            pushed = replace(
+                log,
+                amplitude_force=log.amplitude_force - held * log.is_driven,
+                frequency_offset=log.frequency_offset - 2 * GAIN * log.quadrature_force * error,
+            )
+            return shift_angle(pushed, error) if is_pickoff else pushed
 
-        return Disturbance(rate=rate, shown=show) if is_pickoff else Disturbance(rate=rate)
+        return Disturbance(rate=rate, shown=show)
 
     return disturb
 

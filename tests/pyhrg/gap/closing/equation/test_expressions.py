@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from pyhrg.bench.readings.first_order_lag import follow_with_lag
+from pyhrg.bench.readings.play import follow_with_play
 from pyhrg.common.units import DEG
 from pyhrg.gap.closing.equation.closed_class import write_response
 from pyhrg.gap.closing.equation.expressions import Basis, express_term
@@ -15,7 +16,6 @@ from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.coordinates import (
     HYSTERESIS_WIDTHS,
     Coordinates,
-    _follow_with_play,
     compute_coordinates,
 )
 from pyhrg.gap.effects.term_columns import build_term_columns
@@ -42,7 +42,7 @@ def _evaluate(modelica: str, where: Coordinates) -> np.ndarray:
         "hours": log.time / 3600,
         **{f"force{a}": getattr(log, f"acceleration_{a.lower()}") for a in "XYZ"},
         **{f"firstForce{a}": getattr(log, f"acceleration_{a.lower()}")[0] for a in "XYZ"},
-        **{f"play{w}": _follow_with_play(where.case, w) for w in HYSTERESIS_WIDTHS},
+        **{f"play{w}": follow_with_play(where.case, w) for w in HYSTERESIS_WIDTHS},
         **{f"lagging{lag}": follow_with_lag(where.case, log.interval, lag) for lag in (600, 3600)},
         **{name: getattr(np, name) for name in ("cos", "sin", "exp", "sqrt", "abs")},
     }

@@ -1,6 +1,6 @@
 """Sensitivities of a replay to the effects' parameters, and the residual of a linearized test."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import numpy as np
 
@@ -15,6 +15,28 @@ from pyhrg.gap.replay.simulation import ChannelValues, Simulation
 
 STEP_SHARE = 1e-4
 """Step of a sensitivity's finite difference, in scales of the effect. Chosen."""
+
+
+def linearize_tests(
+    simulation: Simulation,
+    nominal: Device,
+    device: Device,
+    tests: Sequence[ObservedTest],
+    effects: Collection[Effect] = (),
+    last: Sequence[LinearTest] = (),
+) -> list[LinearTest]:
+    """Tests linearized around a device, with new sensitivities to effects, or with those of the
+    last linear tests if there are any. A `GyroError` where the FMU refuses the device."""
+    parts = []
+    for index, test in enumerate(tests):
+        answer = simulation.simulate(device, test)
+        columns = (
+            last[index].sensitivities
+            if last
+            else compute_sensitivities(simulation, device, test, effects)
+        )
+        parts.append(linearize_test(simulation, nominal, device, test, answer, columns))
+    return parts
 
 
 def linearize_test(

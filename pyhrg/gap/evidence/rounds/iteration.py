@@ -7,33 +7,28 @@ is repeated around it until it moves no more. Sizes always count from the nomina
 
 import math
 from collections import deque
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
-from pyhrg.gap.effects.catalogue import Catalogue, Effect
+from pyhrg.gap.effects.catalogue import Catalogue
 from pyhrg.gap.effects.linear_test import Group, LinearTest
-from pyhrg.gap.effects.sensitivities import compute_sensitivities, linearize_test
+from pyhrg.gap.effects.sensitivities import linearize_tests
 from pyhrg.gap.evidence.attribution import Attribution
-from pyhrg.gap.evidence.form_error import (
-    NEGLIGIBLE_CHI2,
-    list_large_terms,
-    rank_anew,
-    rank_with_forms,
-)
-from pyhrg.gap.evidence.hypothesis import Hypothesis, estimate_nominal_noise, rank_roughly
+from pyhrg.gap.evidence.form_error import list_large_terms, rank_anew, rank_with_forms
+from pyhrg.gap.evidence.hypothesis import Hypothesis, rank_roughly
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
 from pyhrg.gap.evidence.posterior import Posterior, average_posteriors, compare_noises
 from pyhrg.gap.evidence.residual_features import compute_checked_residuals, find_period
-from pyhrg.gap.evidence.residuals import compute_residuals
 from pyhrg.gap.evidence.rounds.step import (
-    CURVED_CHANNELS,
+    LINEAR_DISTANCE,
     LINEARIZATION_ERROR,
     go_halfway,
     measure_curved_power,
+    measure_gap,
     measure_step,
     move_gyro,
 )
@@ -49,9 +44,6 @@ CONVERGENCE_DISTANCE = 0.1 / math.sqrt(LINEARIZATION_ERROR)
 its standard deviation."""
 MAX_HALVINGS = 8
 """Number of times that a step to a gyro which the FMU refuses is halved. Chosen."""
-LINEAR_DISTANCE = math.sqrt(NEGLIGIBLE_CHI2 / LINEARIZATION_ERROR)
-"""Mahalanobis length of a step with a negligible linearization error, 32 sigma. Farther from where
-sensitivities were taken they are taken again. Derived."""
 MAX_ROUNDS = 20
 """Number of iterations after which the search ends unconverged. Chosen."""
 PHASE_TOLERANCE = 0.01
@@ -156,22 +148,15 @@ class _Iteration:
         self.device = self.parts[0].device
 
     def _simulate(self) -> None:
-        simulation, device = self._simulation, self.device
-        if self.parts and self.parts[0].device is device and not self._is_far:
+        if self.parts and self.parts[0].device is self.device and not self._is_far:
             return
-        answers, parts = list[ChannelValues](), list[LinearTest]()
-        for index, test in enumerate(self._tests):
-            answer = simulation.simulate(device, test)
-            columns: Mapping[Effect, Mapping[str, Array]] = (
-                compute_sensitivities(simulation, device, test, self._catalogue.parameters)
-                if self._is_far
-                else self.parts[index].sensitivities
-            )
-            parts.append(linearize_test(simulation, self._nominal, device, test, answer, columns))
-            answers.append(answer)
-        self.parts = parts
-        self._differentiated_at = device if self._is_far else self._differentiated_at
-        self.nominal_answers = self.nominal_answers or tuple(answers)
+        where = self._simulation, self._nominal, self.device, self._tests
+        if self._is_far:
+            self.parts = linearize_tests(*where, self._catalogue.parameters)
+            self._differentiated_at = self.device
+        else:
+            self.parts = linearize_tests(*where, last=self.parts)
+        self.nominal_answers = self.nominal_answers or tuple(p.simulated for p in self.parts)
 
     def search(self) -> Hypothesis:
         """The most probable hypothesis, beside which no more is left unexplained than counted."""
@@ -185,7 +170,7 @@ class _Iteration:
     def _search(self) -> None:
         """Rank sets and noises; noises are compared again where the best set changed."""
         if self._linearization_error:
-            power = LINEARIZATION_ERROR * self._measure_gap()
+            power = LINEARIZATION_ERROR * measure_gap(self.parts)
             self._linearization_error = min(self._linearization_error, power)
         hypothesis = self._rank()
         length = self.step_length(hypothesis)
@@ -222,16 +207,6 @@ class _Iteration:
         self._observe(tests)
         self._last_exact = self._compared_groups = None
         return True
-
-    def _measure_gap(self) -> float:
-        """Chi-square of the records less the simulation of the present gyro, beyond their noise, in
-        the channels that are not linear."""
-        nominal = self._nominal
-        effects = self._catalogue.parameters
-        moved: dict[Group, Array] = {e: e.vector(self.device) - e.vector(nominal) for e in effects}
-        noise = estimate_nominal_noise(self.parts)
-        residuals = compute_residuals(self.parts, moved, noise, CURVED_CHANNELS)
-        return sum(max(float(r.white @ r.white) - len(r.white), 0.0) for r in residuals)
 
     def _rank(self) -> Hypothesis:
         """Sets under the present noise, at last beside the forms that terms may have."""

@@ -1,5 +1,6 @@
 """A step of the search: from one gyro to the next, and how far that is."""
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -9,13 +10,19 @@ from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Design
-from pyhrg.gap.evidence.hypothesis import Hypothesis
+from pyhrg.gap.effects.linear_test import Group, LinearTest
+from pyhrg.gap.evidence.form_error import NEGLIGIBLE_CHI2
+from pyhrg.gap.evidence.hypothesis import Hypothesis, estimate_nominal_noise
+from pyhrg.gap.evidence.residuals import compute_residuals
 from pyhrg.gap.replay.observations import CHANNELS
 
 LINEARIZATION_ERROR = 1e-3
 """Share of a step's power that may remain in the residual because effects are not linear (Eq.
 (10)). The step is at most the gap that is left, and taken for no longer than the last one.
 Chosen."""
+LINEAR_DISTANCE = math.sqrt(NEGLIGIBLE_CHI2 / LINEARIZATION_ERROR)
+"""Mahalanobis length of a step with a negligible linearization error, 32 sigma. Farther from where
+sensitivities were taken they are taken again. Derived."""
 CURVED_CHANNELS = tuple(channel for channel in CHANNELS if channel != "frequency_offset")
 """Channels whose power counts there. The frequency is nearly linear in all that shifts it, and
 known so well that a stated one a little off has more power than all else."""
@@ -33,6 +40,17 @@ def move_gyro(nominal: Device, device: Device, hypothesis: Hypothesis) -> Device
         if measure_step(nominal, effect.put(nominal, vector), design) ** 2 > error:
             moved = effect.put(moved, vector)
     return moved
+
+
+def measure_gap(parts: Sequence[LinearTest]) -> float:
+    """Chi-square of the records less the simulation of the present gyro, beyond their noise, in
+    the channels that are not linear."""
+    nominal, device = parts[0].nominal, parts[0].device
+    moved: dict[Group, Array] = {
+        effect: effect.vector(device) - effect.vector(nominal) for effect in parts[0].sensitivities
+    }
+    residuals = compute_residuals(parts, moved, estimate_nominal_noise(parts), CURVED_CHANNELS)
+    return sum(max(float(r.white @ r.white) - len(r.white), 0.0) for r in residuals)
 
 
 def go_halfway(old: Device, new: Device, effects: Sequence[Effect]) -> Device:

@@ -17,7 +17,8 @@ from pathlib import Path
 import numpy as np
 from tqdm import tqdm
 
-from pyhrg import Campaign, Diagnosis, Log, diagnose, read_campaign
+from pyhrg import Campaign, Log, diagnose, read_campaign
+from pyhrg.gap.findings.diagnosis import Diagnosis
 from pyhrg.gap.replay.simulation import load_simulation
 from pyhrg.records.campaign import Test
 

@@ -22,6 +22,7 @@ from pyhrg.gap.closing.prediction import predict
 from pyhrg.gap.diagnose import diagnose
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Catalogue
+from pyhrg.gap.effects.coordinates import compute_coordinates
 from pyhrg.gap.effects.jump import Jump, make_bias_jump
 from pyhrg.gap.effects.term_columns import build_term_columns, compute_response
 from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
@@ -222,7 +223,6 @@ def test_every_candidate_term_can_be_written_at_once(
 )  # fmt: skip
 def test_a_written_term_is_what_the_gyro_does(
     simulation: Simulation,
-    everything: Everything,
     channel: str,
     function: str,
     size: tuple[float, ...],
@@ -243,12 +243,17 @@ def test_a_written_term_is_what_the_gyro_does(
         table_angle=6 * rows,
         virtual_rotation=np.full(200, 1 * DEG),
     )
-    terms, fmu = everything
     faulty = replace(FAULTY, damping_anisotropy=1e-5, damping_axis=0.3)
     device = replace(faulty, frequency_split=0.01, stiffness_axis=0.7, thermal_lag=1.0)
-    inputs = observe_test(Test("warm", "static", "fit", log), device).inputs
-    (candidate,) = (c for c in terms if (c.channel, c.function) == (channel, function))
-    term, own = terms[candidate], list_coefficients(candidate)
+    test = observe_test(Test("warm", "static", "fit", log), device)
+    inputs, where = (
+        test.inputs,
+        compute_coordinates(test, simulation.simulate(device, test), device),
+    )
+    (candidate,) = (t for t, _ in build_term_columns(where, channel) if t.function == function)
+    own = list_coefficients(candidate)
+    term = _make_term(candidate, own)
+    fmu = load_closed_fmu(FAULTY, [term])
     values = {c.name: value / c.factor for c, value in zip(own, size, strict=True)}
     with_term = put_terms(device, [replace(term, parameters=values)], "warm")
     before, by_term = (replay_sampled(fmu, d, inputs) for d in (device, with_term))

@@ -2,8 +2,9 @@
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -76,6 +77,7 @@ class Coordinates:
     quadrature_force: of the replay.
     free_turns: turn of a free pattern by a constant rate, over that of a driven one.
     is_mean: whether harmonics of angles are means over the rows, not values at their ends.
+    kept: candidate terms that were found in a channel, by channel.
     """
 
     nominal: Device
@@ -92,6 +94,9 @@ class Coordinates:
     quadrature_force: Array
     free_turns: Array
     is_mean: bool = False
+    kept: dict[str, dict[object, Any]] = field(
+        default_factory=dict, init=False, compare=False, repr=False
+    )
 
     @cached_property
     def means(self) -> "Coordinates":

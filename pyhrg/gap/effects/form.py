@@ -6,7 +6,7 @@ Eq. 10a).
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 
 import numpy as np
 from numpy.polynomial import chebyshev
@@ -15,7 +15,7 @@ from numpy.polynomial.polynomial import polyval
 from pyhrg.common.arrays import Array
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.coordinates import Coordinates
-from pyhrg.gap.effects.term_columns import generate_terms
+from pyhrg.gap.effects.term_columns import find_terms, generate_terms
 
 MULTIPLES = range(2, 16)
 """Multiples of a term's harmonic that a cause may have beside it. Chosen: a triangular wave has
@@ -54,7 +54,7 @@ class Form(CandidateTerm):
     def polynomial(self) -> Array:
         """(degree,) coefficients, of rising powers, by which the function is multiplied: of the
         polynomial less its constant, over what is bent."""
-        return np.asarray(chebyshev.cheb2poly(np.eye(self.degree + 1)[self.degree])[1:])
+        return _expand_chebyshev(self.degree)[1:]
 
     def bend(self, block: Array, bent: Array) -> Array:
         """(n, d) values of up to about 1, from the (n, d) values of the term's functions, and of
@@ -69,6 +69,12 @@ class Form(CandidateTerm):
         return np.column_stack([multiple.real, multiple.imag])
 
 
+@cache
+def _expand_chebyshev(degree: int) -> Array:
+    """(degree + 1,) coefficients of a Chebyshev polynomial, of rising powers."""
+    return np.asarray(chebyshev.cheb2poly(np.eye(degree + 1)[degree]))
+
+
 def get_bent(term: CandidateTerm, block: Array, where: Coordinates) -> Array:
     """(n, d) of a product the second function, else the (n, d) values of the term's functions."""
     return where.factors[term.second] if term.second else block
@@ -81,24 +87,27 @@ def build_form_columns(
     by_term = _group_by_term(forms)
     return [
         (form, respond(form.bend(block, get_bent(form, block, where))))
-        for term, block, respond in (generate_terms(where, channel) if forms else ())
-        for form in by_term.get(term, ())
+        for term, block, respond in find_terms(where, channel, by_term)
+        for form in by_term[term]
     ]
 
 
 def build_reading_columns(
-    where: Coordinates, forms: Collection[Form]
+    where: Coordinates, among: Collection[object] | None = None
 ) -> Iterator[tuple[CandidateTerm, Array]]:
-    """Errors of the output angle, (n, d) each, of all terms and of those forms that make the
-    pattern be read at a wrong angle."""
-    by_term = _group_by_term(forms)
-    for term, block, _ in generate_terms(where, "gyro_angle"):
+    """Errors of the output angle, (n, d) each, of all terms that make the pattern be read at a
+    wrong angle, or of such terms and forms among some."""
+    by_term = _group_by_term([group for group in among or () if isinstance(group, Form)])
+    if among is None:
+        placed = generate_terms(where, "gyro_angle")
+    else:
+        placed = iter(find_terms(where, "gyro_angle", {*among, *by_term}))
+    for term, block, _ in placed:
         if term.is_reading_error:
-            yield term, block
-            yield from (
-                (form, form.bend(block, get_bent(form, block, where)))
-                for form in by_term.get(term, ())
-            )
+            if among is None or term in among:
+                yield term, block
+            for form in by_term.get(term, ()):
+                yield form, form.bend(block, get_bent(form, block, where))
 
 
 def _group_by_term(forms: Collection[Form]) -> dict[CandidateTerm, list[Form]]:

@@ -240,9 +240,8 @@ def _build_base(part: LinearTest, channel: str) -> tuple[dict[CandidateTerm, int
     and the residual."""
     terms = dict(build_term_columns(part.where, channel, part.candidates))
     if channel != "gyro_angle":
-        read = build_reading_columns(part.where, ())
-        taken = {t: v for t, v in read if part.candidates is None or t in part.candidates}
-        _add_reading_errors(terms, part, channel, taken)
+        read = build_reading_columns(part.where, part.candidates)
+        _add_reading_errors(terms, part, channel, dict(read))
     responses = part.at_measured_angle(
         part.responses(channel), part.responses("gyro_angle"), channel
     )
@@ -260,9 +259,7 @@ def _build_extra(
         return columns | {jump: jump.columns(part.where) for jump in jumps}
     forms = [f for f in forms if f.channel != "gyro_angle" or f.is_reading_error]
     columns = dict(build_form_columns(part.where, channel, forms))
-    read = dict(build_reading_columns(part.where, forms)) if forms else {}
-    own = {group: values for group, values in read.items() if isinstance(group, Form)}
-    _add_reading_errors(columns, part, channel, own)
+    _add_reading_errors(columns, part, channel, dict(build_reading_columns(part.where, forms)))
     for jump in (jump for jump in jumps if jump.kind == "output"):
         step = jump.columns(part.where)
         columns[jump] = part.at_measured_angle(np.zeros_like(step), step, channel)
@@ -273,7 +270,7 @@ def _add_reading_errors(
     columns: dict[CandidateTerm, Array],
     part: LinearTest,
     channel: str,
-    angles: Mapping[CandidateTerm, Array] | Mapping[Form, Array],
+    angles: Mapping[CandidateTerm, Array],
 ) -> None:
     """Add to another channel's columns what errors of the output angle make of the angle at which
     the channel is compared."""

@@ -2,6 +2,7 @@
 (docs/methods/effects.md, Eqs. 4 to 5h)."""
 
 from collections.abc import Collection, Iterator, Mapping
+from operator import itemgetter
 
 import numpy as np
 
@@ -40,11 +41,21 @@ def build_term_columns(
     """All candidate terms that show in a channel in a test, or those among some, (n, b) each, in
     the same order for every test. A term that shows in several channels has the same identity in
     all of them."""
-    return [
-        (term, respond(block))
-        for term, block, respond in generate_terms(where, channel)
-        if among is None or term in among
-    ]
+    placed = generate_terms(where, channel) if among is None else find_terms(where, channel, among)
+    return [(term, respond(block)) for term, block, respond in placed]
+
+
+def find_terms(where: Coordinates, channel: str, among: Collection[object]) -> list[PlacedTerm]:
+    """Those of these terms that show in a channel in a test, in the same order. They are kept: a
+    search asks for the same few terms again and again."""
+    kept, wanted = where.kept.setdefault(channel, {}), set(among)
+    if missing := wanted.difference(kept):
+        kept.update(dict.fromkeys(missing))
+        for number, placed in enumerate(generate_terms(where, channel)):
+            if placed[0] in missing:
+                kept[placed[0]] = number, placed
+    found = [own for own in map(kept.get, wanted) if own]
+    return [placed for _, placed in sorted(found, key=itemgetter(0))]
 
 
 def generate_terms(where: Coordinates, channel: str) -> Iterator[PlacedTerm]:

@@ -74,14 +74,12 @@ def compute_residuals(
         for g, v in removed.items()
         if isinstance(g, Effect) or (isinstance(g, Jump) and g.kind == "output")
     }  # what moves the output; not what moves the pattern that other channels see
-    terms = {g for g in removed if isinstance(g, CandidateTerm) and g.is_reading_error}
-    forms = [term for term in terms if isinstance(term, Form)]
+    misread = [g for g in removed if isinstance(g, CandidateTerm) and g.is_reading_error]
     residuals = []
     for index, part in enumerate(parts):
         angle = _subtract(part, of_output, "gyro_angle", index)[:, None]
-        for group, values in build_reading_columns(part.where, forms) if terms else ():
-            if group in terms:
-                angle -= (values @ removed[group])[:, None]
+        for group, values in build_reading_columns(part.where, misread):
+            angle -= (values @ removed[group])[:, None]
         for channel in channels:
             series = _subtract(part, removed, channel, index)[:, None]
             values = part.at_measured_angle(series, angle, channel)[:, 0]

@@ -176,8 +176,8 @@ def _linearize(
     for channel in residual:
         residual[channel] = residual[channel] + compute_response(around.where, channel, sizes)
     turned = residual["gyro_angle"] - around.residual["gyro_angle"]
-    for term, values in build_reading_columns(around.where, ()):
-        turned = turned - values @ sizes[term] if term in sizes else turned
+    for term, values in build_reading_columns(around.where, sizes):
+        turned = turned - values @ sizes[term]
     for channel in residual:
         if channel != "gyro_angle":
             turning = around.at_measured_angle(np.zeros((len(turned), 1)), turned[:, None], channel)

@@ -182,7 +182,7 @@ def test_one_size_of_a_term_explains_an_effect_in_all_channels(
     where = compute_coordinates(observed, simulation.simulate(device, observed), device)
     effects = compute_sensitivities(simulation, device, observed, [effect])[effect]
     slopes = simulation.differentiate_by_angle(device, observed).slopes
-    reading = {t.function: values for t, values in build_reading_columns(where, ())}
+    reading = {t.function: values for t, values in build_reading_columns(where)}
     own_channel = "amplitude_force" if name.startswith("damping") else "gyro_angle"
     shown, expected = [], []
     for channel in ("gyro_angle", "amplitude_force", "quadrature_force", "frequency_offset"):
@@ -225,7 +225,7 @@ def test_a_free_pattern_shows_what_its_pickoffs_misread(simulation: Simulation) 
     )
     expected = response["amplitude"][:, 0] + by_output * response["gyro_angle"][:, 0]
     columns = {term.function: block for term, block in build_term_columns(where, "amplitude")}
-    reading = {term.function: values for term, values in build_reading_columns(where, ())}
+    reading = {term.function: values for term, values in build_reading_columns(where)}
     shown = columns[function] + by_output[:, None] * reading[function]
     size = np.array([0.0, 10 / (4 * device.bryan_factor)])  # of a gain per m/s^2
     is_free = log.drive_on == 0

@@ -46,8 +46,8 @@ def build_term_columns(
 
 
 def find_terms(where: Coordinates, channel: str, among: Collection[object]) -> list[PlacedTerm]:
-    """Those of these terms that show in a channel in a test, in the same order. They are kept: a
-    search asks for the same few terms again and again."""
+    """Find those of these terms that show in a channel in a test, in the same order. They are kept:
+    a search asks for the same few terms again and again."""
     kept, wanted = where.kept.setdefault(channel, {}), set(among)
     if missing := wanted.difference(kept):
         kept.update(dict.fromkeys(missing))

@@ -36,7 +36,7 @@ BEAM_WIDTH = 10
 """Number of best sets that are extended and reduced. Chosen."""
 MAX_GROUPS = 12
 """Number of groups that a set may have. Chosen: the challenge plants up to 7."""
-PRODUCT_WEIGHT = 0.25
+PRODUCT_WEIGHT = 0.02
 """Prior odds of a candidate term that is a product of two functions, over those of one function: of
 two that explain as much the simpler one is the more probable. Chosen."""
 MIN_PROBABILITY = 1e-12
@@ -144,7 +144,7 @@ def rank_sets(
         return reached
 
     everything = range(len(groups))
-    climb(everything, climb(named, starts))
+    climb(everything, climb(named, {base, base | known.intersection(named)}) | starts)
     climb(everything, starts)  # sets of effects may have filled the beam
     return _normalize(list(fits.values()))
 

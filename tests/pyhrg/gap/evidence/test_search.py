@@ -41,6 +41,21 @@ def test_two_effects_are_found_behind_one_term() -> None:
     assert set(rank_sets(design).best.groups) == set(effects[:4])
 
 
+def test_effects_are_found_from_the_term_that_stands_for_them() -> None:
+    """Of a term with two columns each is almost one effect, so that neither is tried beside it, and
+    one effect alone explains far less than the term."""
+    generator = np.random.default_rng(11)
+    effects = [effect for effect in DETERMINISTIC if effect.size == 1]
+    shapes = generator.standard_normal((ROWS, len(effects) + 2)) / np.sqrt(ROWS)
+    columns = {effect: 1e5 * shapes[:, [i]] for i, effect in enumerate(effects)}  # 40 sigma: 4e-4
+    term = CandidateTerm("quadrature_force", "time", "")
+    columns[term] = shapes[:, :2] + 0.15 * shapes[:, -2:]
+    residual = 40 * (shapes[:, 0] + shapes[:, 1]) + 500 * (shapes[:, 2] + shapes[:, 3])
+    design = design_of(columns, residual + generator.standard_normal(ROWS))
+    assert fit(design, [effects[0], term]) is None
+    assert set(rank_sets(design, start=[*effects[2:4], term]).best.groups) == set(effects[:4])
+
+
 def test_a_swarm_of_effects_does_not_keep_a_term_out() -> None:
     """As many effects as a set may have explain most of what the term alone explains."""
     generator = np.random.default_rng(3)

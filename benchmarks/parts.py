@@ -11,13 +11,12 @@ of them are named, how many are in the class of another, and how many names are 
 import json
 import sys
 from collections.abc import Callable
-from dataclasses import fields, replace
+from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 from tqdm import tqdm
 
-from pyhrg import Campaign, Log, diagnose, read_campaign
+from pyhrg import Campaign, diagnose, read_campaign
 from pyhrg.gap.findings.diagnosis import Diagnosis
 from pyhrg.gap.replay.simulation import load_simulation
 from pyhrg.records.campaign import Test
@@ -33,10 +32,8 @@ def keep(*kinds: str) -> Callable[[Test], Test | None]:
 
 def begin(test: Test) -> Test:
     """The first tenth of a test, or its first rows."""
-    rows, log = max(int(SHARE * len(test.log.time)), MIN_ROWS), test.log
-    columns = {f.name: getattr(log, f.name) for f in fields(Log)}
-    cut = {n: v[:rows] for n, v in columns.items() if isinstance(v, np.ndarray)}
-    return replace(test, recording=replace(log, **cut))
+    rows = max(int(SHARE * len(test.log.time)), MIN_ROWS)
+    return replace(test, recording=test.log.section(slice(rows)))
 
 
 PARTS: dict[str, Callable[[Test], Test | None]] = {

@@ -1,8 +1,9 @@
 """A log: what bench and gyro recorded during one test of one power-on."""
 
 import gzip
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -92,6 +93,11 @@ class Log:
     def has_values(self, *fields: str) -> bool:
         """Whether each of these fields has a value in some row."""
         return all(bool(np.isfinite(getattr(self, field)).any()) for field in fields)
+
+    def section(self, rows: slice) -> "Log":
+        """These rows of the log, with the times that they have in it."""
+        columns: dict[str, Any] = {c.field: getattr(self, c.field)[rows] for c in COLUMNS}
+        return replace(self, **columns)
 
     def to_frame(self) -> pd.DataFrame:
         """The log's columns in SI under their fields' names, one row an interval.

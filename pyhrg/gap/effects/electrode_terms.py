@@ -38,6 +38,11 @@ FRAME_COORDINATES = ("temperature", "time")
 rate of the temperature."""
 
 
+def show(block: Array) -> Array:
+    """An error of the angle or of an output shows as it is."""
+    return block
+
+
 def _misdirect_forces(where: Coordinates) -> dict[str, Respond]:
     """What forces that point beside the pattern by an angle make of each channel (Eqs. 5a, 5h)."""
     log, gain = where.test.log, where.nominal.bryan_factor
@@ -92,9 +97,9 @@ def generate_pickoff_terms(where: Coordinates, channel: str) -> Iterator[PlacedT
     misdirected, and if they are linear of the amplitude."""
     misdirect = _misdirect_forces(where).get(channel)
     misread = _misread_amplitude(where).get(channel)
-    show = (lambda block: block) if channel == "gyro_angle" else None
+    read = show if channel == "gyro_angle" else None
     for m, coordinate, function, harmonic, block in _generate_reading_errors(where):
-        responses = (show, misdirect, misread if m in LINEAR_HARMONICS else None)
+        responses = (read, misdirect, misread if m in LINEAR_HARMONICS else None)
         if any(responses):
             term = make_term("gyro_angle", coordinate, function, harmonic, "pick-off")
             yield term, block, partial(_add_responses, responses)

@@ -98,11 +98,8 @@ def build_reading_columns(
     """Errors of the output angle, (n, d) each, of all terms that make the pattern be read at a
     wrong angle, or of such terms and forms among some."""
     by_term = _group_by_term([group for group in among or () if isinstance(group, Form)])
-    if among is None:
-        placed = generate_terms(where, "gyro_angle")
-    else:
-        placed = iter(find_terms(where, "gyro_angle", {*among, *by_term}))
-    for term, block, _ in placed:
+    wanted = None if among is None else {*among, *by_term}
+    for term, block, _ in find_terms(where, "gyro_angle", wanted):
         if term.is_reading_error:
             if among is None or term in among:
                 yield term, block

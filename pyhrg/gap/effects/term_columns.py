@@ -1,7 +1,7 @@
 """Columns of all candidate terms of a channel, by the place where a term acts
 (docs/methods/effects.md, Eqs. 4 to 5h)."""
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from operator import itemgetter
 
 import numpy as np
@@ -22,6 +22,7 @@ from pyhrg.gap.effects.electrode_terms import (
     PlacedTerm,
     generate_drive_terms,
     generate_pickoff_terms,
+    show,
 )
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.replay.observations import MEAN_CHANNELS
@@ -41,13 +42,17 @@ def build_term_columns(
     """All candidate terms that show in a channel in a test, or those among some, (n, b) each, in
     the same order for every test. A term that shows in several channels has the same identity in
     all of them."""
-    placed = generate_terms(where, channel) if among is None else find_terms(where, channel, among)
+    placed = find_terms(where, channel, among)
     return [(term, respond(block)) for term, block, respond in placed]
 
 
-def find_terms(where: Coordinates, channel: str, among: Collection[object]) -> list[PlacedTerm]:
-    """Find those of these terms that show in a channel in a test, in the same order. They are kept:
-    a search asks for the same few terms again and again."""
+def find_terms(
+    where: Coordinates, channel: str, among: Collection[object] | None
+) -> Iterable[PlacedTerm]:
+    """Find all terms that show in a channel in a test, or those among some, in the same order.
+    These are kept: a search asks for the same few terms again and again."""
+    if among is None:
+        return generate_terms(where, channel)
     kept, wanted = where.kept.setdefault(channel, {}), set(among)
     if missing := wanted.difference(kept):
         kept.update(dict.fromkeys(missing))
@@ -67,7 +72,7 @@ def generate_terms(where: Coordinates, channel: str) -> Iterator[PlacedTerm]:
     else:
         shown = where.means if channel in MEAN_CHANNELS else where
         for coordinate, function, harmonic, block in shown.functions:
-            yield make_term(channel, coordinate, function, harmonic), block, _show
+            yield make_term(channel, coordinate, function, harmonic), block, show
     if channel == "amplitude":
         yield from _generate_free_decay(where)
     yield from generate_pickoff_terms(where, channel)
@@ -94,10 +99,6 @@ def compute_response(
     return np.asarray(sum(own, np.zeros(len(where.pattern_angle))))
 
 
-def _show(block: Array) -> Array:
-    return block
-
-
 def _count_from_start(block: Array) -> Array:
     return np.asarray(block - block[:1])
 
@@ -116,11 +117,11 @@ def _generate_angle_terms(where: Coordinates) -> Iterator[PlacedTerm]:
         yield make_term(*key, "bias"), mean, where.integrate
         if harmonic:
             is_table = coordinate == "table_angle"
-            yield make_term(*key, "angle"), block, count_table_from_start if is_table else _show
+            yield make_term(*key, "angle"), block, count_table_from_start if is_table else show
         if function in SPECIFIC_FORCES:
             yield make_term(*key, "angle"), block, _count_from_start
     backlash = make_term("gyro_angle", "table_angle", LAST_MOTION, prefix="angle")
-    yield backlash, where.table_direction, _show
+    yield backlash, where.table_direction, show
     for coordinate, function, harmonic, block in _generate_products(where):
         key = ("gyro_angle", coordinate, function, harmonic)
         yield make_term(*key, "bias"), block, where.integrate

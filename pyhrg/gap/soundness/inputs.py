@@ -62,7 +62,7 @@ def complete_inputs(log: Log, nominal: Device) -> CompleteInputs:
     cut, trouble = _find_cut(log, missing)
     if trouble:
         notes.append(trouble)
-        log = replace_columns(log, {c.field: getattr(log, c.field)[:cut] for c in COLUMNS})
+        log = log.section(slice(cut))
         missing = missing[:cut]
     known = np.flatnonzero(~missing)
     if trouble and len(known) < 2:

@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
@@ -12,7 +11,7 @@ from pyhrg.device.device import Device
 from pyhrg.gap.replay.inputs.soak import is_soaked
 from pyhrg.gap.replay.inputs.table_motion import TableMotion, estimate_table_motion
 from pyhrg.gap.replay.inputs.thermometer import correct_temperatures, estimate_toggling_step
-from pyhrg.records import COLUMNS, Log
+from pyhrg.records import Log
 
 MIN_READINGS = 10
 """Fewest readings from which an instrument's noise is estimated. Chosen."""
@@ -55,9 +54,8 @@ class ReplayInputs:
     def section(self, rows: slice, start_angle: float) -> "ReplayInputs":
         """The inputs of some rows, with power-on at their begin and the pattern at an angle,
         rad."""
-        columns: dict[str, Any] = {c.field: getattr(self.log, c.field)[rows] for c in COLUMNS}
         return ReplayInputs(
-            replace(self.log, **columns),
+            self.log.section(rows),
             start_angle,
             self.table.section(rows),
             self.temperatures[rows.start : rows.stop + 1],

@@ -246,10 +246,8 @@ def test_a_written_term_is_what_the_gyro_does(
     faulty = replace(FAULTY, damping_anisotropy=1e-5, damping_axis=0.3)
     device = replace(faulty, frequency_split=0.01, stiffness_axis=0.7, thermal_lag=1.0)
     test = observe_test(Test("warm", "static", "fit", log), device)
-    inputs, where = (
-        test.inputs,
-        compute_coordinates(test, simulation.simulate(device, test), device),
-    )
+    inputs = test.inputs
+    where = compute_coordinates(test, simulation.simulate(device, test), device)
     (candidate,) = (t for t, _ in build_term_columns(where, channel) if t.function == function)
     own = list_coefficients(candidate)
     term = _make_term(candidate, own)
